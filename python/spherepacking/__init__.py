@@ -1,0 +1,1 @@
+"""See sphere packings: exact ray-cast spheres for VTK and PyVista."""

@@ -1,0 +1,1 @@
+//VTK::System::Dec

@@ -1,0 +1,3 @@
+#include "vtkOpenGLSpherePackingMapper.h"
+#include "vtkObjectFactory.h"
+vtkStandardNewMacro(vtkOpenGLSpherePackingMapper);
