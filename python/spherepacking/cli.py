@@ -1,0 +1,224 @@
+"""The command ``spherepacking``."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import Annotated
+
+from cyclopts import App, CycloptsError, Parameter
+
+Vector = tuple[float, float, float]
+Output = Annotated[Path, Parameter(alias="-o")]
+
+app = App(
+    name="spherepacking",
+    help="See sphere packings: exact ray-cast spheres.",
+    version=lambda: __import__("spherepacking").__version__,
+    version_format="plain",
+)
+
+
+def _read(path: Path) -> object:
+    from .readers import read
+
+    return read(path, progress=sys.stderr.isatty())
+
+
+@app.command
+def render(
+    packing: Path,
+    /,
+    *,
+    output: Output,
+    scalars: str | None = None,
+    cmap: str | None = None,
+    clim: tuple[float, float] | None = None,
+    log_scale: bool = False,
+    color: str | None = None,
+    opacity: float = 1.0,
+    scalar_bar: bool = True,
+    size: tuple[int, int] = (1000, 1000),
+    camera: Vector | None = None,
+    focal: Vector | None = None,
+    up: Vector | None = None,
+    view_angle: float | None = None,
+    zoom: float = 1.0,
+    parallel: bool = False,
+    background: str | None = None,
+    transparent: bool = False,
+) -> None:
+    """Draw a packing and save the picture.
+
+    Parameters
+    ----------
+    packing
+        File with the packing.
+    output
+        Picture to write; its extension decides about the format (.png, .exr, .tif, .jpg, ...).
+    scalars
+        Array to colour by; the radii if neither this nor --color is given.
+    cmap
+        Colour map, for example viridis.
+    clim
+        Range of the scalars that the colour map spans.
+    log_scale
+        Map the scalars logarithmically.
+    color
+        One colour for all spheres, a name or #rrggbb.
+    opacity
+        From 0 to 1.
+    scalar_bar
+        Show a scalar bar.
+    size
+        Width and height of the picture in pixels.
+    camera
+        Position of the camera; by default the whole packing is seen from (1, 1, 1).
+    focal
+        Point that the camera looks at; by default the middle of the packing.
+    up
+        Direction that is up in the picture, by default z.
+    view_angle
+        Angle of view from bottom to top in degrees.
+    zoom
+        Enlarge by this factor.
+    parallel
+        Parallel instead of perspective projection.
+    background
+        Colour behind the spheres, a name or #rrggbb.
+    transparent
+        Leave the background transparent.
+    """
+    from ._offscreen import choose_window
+    from .image import check_output
+
+    check_output(output)
+    _check_view(size, zoom, view_angle)
+    choose_window()
+    spheres = _read(packing)
+
+    import pyvista as pv
+
+    plotter = pv.Plotter(off_screen=True, window_size=list(size))
+    try:
+        if background is not None:
+            plotter.set_background(background)
+        plotter.packing.add(
+            spheres,
+            scalars=scalars,
+            cmap=cmap,
+            clim=clim,
+            log_scale=log_scale,
+            color=color,
+            opacity=opacity,
+            show_scalar_bar=scalar_bar,
+        )
+        _aim(plotter, camera, focal, up)
+        if view_angle is not None:
+            plotter.camera.view_angle = view_angle
+        if parallel:
+            plotter.enable_parallel_projection()
+        plotter.camera.zoom(zoom)
+        plotter.packing.screenshot(output, transparent_background=transparent)
+    finally:
+        plotter.close()
+
+
+def _check_view(size: tuple[int, int], zoom: float, view_angle: float | None) -> None:
+    if min(size) < 1:
+        raise ValueError(
+            f"--size: found {size[0]} {size[1]}, expected numbers of pixels"
+        )
+    if not zoom > 0.0:
+        raise ValueError(f"--zoom: found {zoom}, expected a number above 0")
+    if view_angle is not None and not 0.0 < view_angle < 180.0:
+        raise ValueError(
+            f"--view-angle: found {view_angle}, expected degrees from 0 to 180"
+        )
+
+
+def _aim(
+    plotter: object, position: Vector | None, focal: Vector | None, up: Vector | None
+) -> None:
+    """Place the camera; what is not given stays as the scene suggests it."""
+    import numpy as np
+
+    camera = plotter.camera
+    if up is None:
+        up = camera.up
+    if focal is not None:
+        camera.focal_point = focal
+    if position is not None:
+        camera.position = position
+    view = np.subtract(camera.focal_point, camera.position)
+    if not view.any():
+        raise ValueError(
+            "--camera: the camera is where it looks at, expected another --focal"
+        )
+    if not np.cross(view, up).any():
+        up = (0.0, 1.0, 0.0) if up[1] == 0.0 else (0.0, 0.0, 1.0)
+    camera.up = up
+    plotter.renderer.ResetCameraClippingRange()
+
+
+@app.command
+def info(packing: Path, /) -> None:
+    """Print count, bounds, radii and volume of a packing.
+
+    Parameters
+    ----------
+    packing
+        File with the packing.
+    """
+    from ._info import describe
+
+    print(describe(_read(packing)))
+
+
+@app.command
+def convert(source: Path, target: Path, /) -> None:
+    """Write a packing in another format.
+
+    Parameters
+    ----------
+    source
+        File with the packing.
+    target
+        File to write; its extension decides about the format.
+    """
+    from .writers import write
+
+    write(_read(source), target)
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Run the command line.
+
+    Parameters
+    ----------
+    arguments : list[str], optional
+        Arguments without the name of the program, by default those of the process.
+
+    Returns
+    -------
+    int
+        Exit status: 0, or 2 after an error, which is told in one line on stderr.
+    """
+    try:
+        app(arguments, exit_on_error=False, print_error=False)
+    except (
+        CycloptsError,
+        OSError,
+        ValueError,
+        KeyError,
+        TypeError,
+        ImportError,
+    ) as error:
+        # str() of a KeyError is quoted.
+        text = error.args[0] if isinstance(error, KeyError) else str(error)
+        print(f"spherepacking: {' '.join(str(text).split())}", file=sys.stderr)
+        return 2
+    except KeyboardInterrupt:
+        print("spherepacking: stopped", file=sys.stderr)
+        return 130
+    return 0
