@@ -18,7 +18,7 @@ import operator
 import numpy as np
 import pyvista as pv
 
-# The unit sphere around everything, two of radius 1/2, and two neighbours of the hexlet, radius 1/3.
+# The unit sphere around everything, two of radius 1/2, and two of the hexlet of radius 1/3.
 _START = np.array(
     [
         [-1, 0, 0, 0, 1],
@@ -43,9 +43,7 @@ def _unique_rows(rows: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     return ordered[starts], order[starts], index
 
 
-def _next_level(
-    spheres: np.ndarray, fives: np.ndarray
-) -> tuple[np.ndarray, np.ndarray]:
+def _next_level(spheres: np.ndarray, fives: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Swap each sphere of each five for the other one that touches the remaining four.
 
     Parameters

@@ -30,9 +30,7 @@ def _per_sphere(name: str, values: ArrayLike, count: int) -> np.ndarray:
     array = np.asarray(values)
     if array.ndim == 0 or len(array) != count:
         found = "a single value" if array.ndim == 0 else f"{len(array)} values"
-        raise ValueError(
-            f"{name}: found {found}, expected one for each of {count} spheres"
-        )
+        raise ValueError(f"{name}: found {found}, expected one for each of {count} spheres")
     return array
 
 
@@ -96,7 +94,7 @@ def radii_of(packing: pv.PolyData, radius: str | ArrayLike) -> tuple[pv.PolyData
 def scalars_of(
     packing: pv.PolyData, scalars: str | ArrayLike | None
 ) -> tuple[np.ndarray | None, str]:
-    """The values to colour by, one row a sphere, and the name of their array.
+    """Look up the values to colour by, one row a sphere, and the name of their array.
 
     Parameters
     ----------
@@ -125,10 +123,7 @@ def scalars_of(
         return np.asarray(packing.point_data[scalars]), scalars
     values = _per_sphere("scalars", scalars, packing.n_points)
     taken = packing.point_data.keys()
-    names = (
-        f"{pv.DEFAULT_SCALARS_NAME}{suffix}"
-        for suffix in ["", *range(2, len(taken) + 3)]
-    )
+    names = (f"{pv.DEFAULT_SCALARS_NAME}{suffix}" for suffix in ["", *range(2, len(taken) + 3)])
     return values, next(name for name in names if name not in taken)
 
 
@@ -168,10 +163,8 @@ def opacity_of(
         opacity = 1.0
     if isinstance(opacity, str) and opacity in packing.point_data:
         opacity = np.asarray(packing.point_data[opacity])
-    per_sphere = not isinstance(opacity, str) and np.shape(opacity) == (
-        packing.n_points,
-    )
-    if np.ndim(opacity) == 0 and not isinstance(opacity, str) or per_sphere:
+    per_sphere = not isinstance(opacity, str) and np.shape(opacity) == (packing.n_points,)
+    if (np.ndim(opacity) == 0 and not isinstance(opacity, str)) or per_sphere:
         values = np.asarray(opacity, dtype=float)
         if not np.all((values >= 0.0) & (values <= 1.0)):
             raise ValueError(f"opacity: found {opacity}, expected values from 0 to 1")

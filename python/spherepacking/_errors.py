@@ -33,7 +33,7 @@ class ErrorLog:
         self.messages.append(text.strip())
 
     def raise_if_any(self, message: str | None) -> None:
-        """Raise PackingFileError with `message`, or else with what was collected since the last call."""
+        """Raise PackingFileError with `message`, else with what has come since the last call."""
         collected = "\n".join(self.messages)
         self.messages.clear()
         if message or collected:

@@ -67,7 +67,7 @@ def describe(packing: pv.PolyData) -> str:
             f"radius   {radii.min():.6g} .. {radii.max():.6g}, median {np.median(radii):.6g}",
             f"volume   {spheres.volume:.6g} (sum over the spheres)",
         ]
-        others = [name for name in packing.point_data.keys() if name != "radius"]
+        others = [name for name in packing.point_data if name != "radius"]
         if others:
             lines.append(f"arrays   {', '.join(others)}")
         lines += ["", "radii", *_histogram(radii)]

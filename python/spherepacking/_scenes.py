@@ -55,9 +55,7 @@ def knot_tube(count: int, seed: int = 0) -> pv.PolyData:
     t = np.linspace(0.0, 2.0 * np.pi, 4097)
     _, slope = _trefoil(t)
     speed = np.linalg.norm(slope, axis=1)
-    length = np.concatenate(
-        [[0.0], np.cumsum(0.5 * (speed[1:] + speed[:-1]) * np.diff(t))]
-    )
+    length = np.concatenate([[0.0], np.cumsum(0.5 * (speed[1:] + speed[:-1]) * np.diff(t))])
     volume = _SOLID_FRACTION * np.pi * _TUBE_RADIUS**2 * length[-1]
     radii = _radii(count, volume)
 
@@ -75,9 +73,7 @@ def knot_tube(count: int, seed: int = 0) -> pv.PolyData:
         away = (_TUBE_RADIUS - radii[part]) * np.sqrt(rng.random(n))
         angle = 2.0 * np.pi * rng.random(n)
         centres[part] = (
-            point
-            + (away * np.cos(angle))[:, None] * side
-            + (away * np.sin(angle))[:, None] * up
+            point + (away * np.cos(angle))[:, None] * side + (away * np.sin(angle))[:, None] * up
         )
     packing = pv.PolyData()
     packing.points = centres

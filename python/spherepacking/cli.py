@@ -11,11 +11,18 @@ from cyclopts import App, CycloptsError, Parameter
 Vector = tuple[float, float, float]
 Output = Annotated[Path, Parameter(alias="-o")]
 
+
+def _version() -> str:
+    from . import __version__
+
+    return f"spherepacking {__version__}"
+
+
 app = App(
     name="spherepacking",
     help="See sphere packings: exact ray-cast spheres.",
-    version=lambda: __import__("spherepacking").__version__,
-    version_format="plain",
+    version=_version,
+    version_format="plaintext",
 )
 
 
@@ -126,20 +133,14 @@ def render(
 
 def _check_view(size: tuple[int, int], zoom: float, view_angle: float | None) -> None:
     if min(size) < 1:
-        raise ValueError(
-            f"--size: found {size[0]} {size[1]}, expected numbers of pixels"
-        )
+        raise ValueError(f"--size: found {size[0]} {size[1]}, expected numbers of pixels")
     if not zoom > 0.0:
         raise ValueError(f"--zoom: found {zoom}, expected a number above 0")
     if view_angle is not None and not 0.0 < view_angle < 180.0:
-        raise ValueError(
-            f"--view-angle: found {view_angle}, expected degrees from 0 to 180"
-        )
+        raise ValueError(f"--view-angle: found {view_angle}, expected degrees from 0 to 180")
 
 
-def _aim(
-    plotter: object, position: Vector | None, focal: Vector | None, up: Vector | None
-) -> None:
+def _aim(plotter: object, position: Vector | None, focal: Vector | None, up: Vector | None) -> None:
     """Place the camera; what is not given stays as the scene suggests it."""
     import numpy as np
 
@@ -152,9 +153,7 @@ def _aim(
         camera.position = position
     view = np.subtract(camera.focal_point, camera.position)
     if not view.any():
-        raise ValueError(
-            "--camera: the camera is where it looks at, expected another --focal"
-        )
+        raise ValueError("--camera: the camera is where it looks at, expected another --focal")
     if not np.cross(view, up).any():
         up = (0.0, 1.0, 0.0) if up[1] == 0.0 else (0.0, 0.0, 1.0)
     camera.up = up

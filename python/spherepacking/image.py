@@ -47,9 +47,7 @@ def _create(path: Path) -> oiio.ImageOutput:
     output = oiio.ImageOutput.create(str(path))
     if output is None:
         reason = oiio.geterror().strip()
-        raise ValueError(
-            f"{path}: no picture format of that extension can be written: {reason}"
-        )
+        raise ValueError(f"{path}: no picture format of that extension can be written: {reason}")
     return output
 
 
@@ -91,9 +89,7 @@ def write_image(path: str | os.PathLike[str], pixels: np.ndarray) -> None:
     path = Path(path)
     pixels = np.ascontiguousarray(pixels)
     if pixels.dtype not in _FORMATS:
-        raise TypeError(
-            f"pixels: found {pixels.dtype}, expected uint8, uint16 or floats"
-        )
+        raise TypeError(f"pixels: found {pixels.dtype}, expected uint8, uint16 or floats")
     if pixels.ndim not in (2, 3) or not pixels.size:
         raise ValueError(
             f"pixels: found shape {pixels.shape}, expected (height, width[, channels])"
@@ -107,9 +103,7 @@ def write_image(path: str | os.PathLike[str], pixels: np.ndarray) -> None:
     written = output.open(str(path), spec) and output.write_image(pixels)
     # Closing flushes the file, so it is part of writing and may fail as well.
     if not (output.close() and written):
-        raise OSError(
-            f"{path}: the picture cannot be written: {output.geterror().strip()}"
-        )
+        raise OSError(f"{path}: the picture cannot be written: {output.geterror().strip()}")
 
 
 def read_image(path: str | os.PathLike[str]) -> np.ndarray:
@@ -143,9 +137,7 @@ def read_image(path: str | os.PathLike[str]) -> np.ndarray:
     try:
         pixels = source.read_image(source.spec().format)
         if pixels is None:
-            raise OSError(
-                f"{path}: the picture cannot be read: {source.geterror().strip()}"
-            )
+            raise OSError(f"{path}: the picture cannot be read: {source.geterror().strip()}")
     finally:
         source.close()
     return np.atleast_3d(pixels)
@@ -171,12 +163,8 @@ def compare_images(first: np.ndarray, second: np.ndarray) -> ImageDifference:
     """
     first, second = (np.atleast_3d(np.ascontiguousarray(a)) for a in (first, second))
     if first.shape != second.shape:
-        raise ValueError(
-            f"pictures of shape {first.shape} and {second.shape} cannot be compared"
-        )
-    result = oiio.ImageBufAlgo.compare(
-        oiio.ImageBuf(first), oiio.ImageBuf(second), 0.0, 0.0
-    )
+        raise ValueError(f"pictures of shape {first.shape} and {second.shape} cannot be compared")
+    result = oiio.ImageBufAlgo.compare(oiio.ImageBuf(first), oiio.ImageBuf(second), 0.0, 0.0)
     return ImageDifference(
         float(result.meanerror),
         float(result.rms_error),

@@ -185,29 +185,19 @@ class PackingComponent:
             rgb = scalars.endswith(("_rgb", "_rgba"))
         title = {"title": scalars} if isinstance(scalars, str) else {}
         values, scalars_name = arguments.scalars_of(packing, scalars)
-        if rgb and (
-            values is None or values.ndim != 2 or values.shape[1] not in (3, 4)
-        ):
-            found = (
-                "no scalars" if values is None else f"scalars of shape {values.shape}"
-            )
-            raise ValueError(
-                f"rgb: found {found}, expected shape ({packing.n_points}, 3 or 4)"
-            )
+        if rgb and (values is None or values.ndim != 2 or values.shape[1] not in (3, 4)):
+            found = "no scalars" if values is None else f"scalars of shape {values.shape}"
+            raise ValueError(f"rgb: found {found}, expected shape ({packing.n_points}, 3 or 4)")
         actor_opacity, opacities, transfer = arguments.opacity_of(
             packing, opacity, n_colors, mapped=values is not None and not rgb
         )
         if color is None or color is True:
             color = plotter.renderer.next_color
-        bar = (
-            {"n_colors": n_colors} if scalar_bar_args is None else dict(scalar_bar_args)
-        )
+        bar = {"n_colors": n_colors} if scalar_bar_args is None else dict(scalar_bar_args)
         bar = title | bar
 
         # The mapper attaches what it cannot find by name to its dataset.
-        derived = values is not None and (
-            values.ndim != 1 or values.dtype.kind not in "iuf"
-        )
+        derived = values is not None and (values.ndim != 1 or values.dtype.kind not in "iuf")
         named = isinstance(scalars, str) or values is None
         if opacities is not None or not named or (derived and not rgb):
             packing = packing.copy(deep=False)
@@ -269,9 +259,7 @@ class PackingComponent:
             remove_existing_actor=name is not None,
         )
         if show_scalar_bar is None:
-            show_scalar_bar = not rgb and bool(
-                plotter.theme.show_scalar_bar or scalar_bar_args
-            )
+            show_scalar_bar = not rgb and bool(plotter.theme.show_scalar_bar or scalar_bar_args)
         if show_scalar_bar and mapper.scalar_visibility and values is not None:
             plotter.add_scalar_bar(mapper=mapper, render=False, **bar)
         if render:

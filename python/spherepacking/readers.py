@@ -20,7 +20,7 @@ _BAR_DELAY = 0.5
 
 
 class SpherePackingReader(pv.BaseReader):
-    """Reader of sphere packings: ``.spheres``, ``.xyzr``, ``.xyzd``, CSV, LAMMPS dumps, PQR, ``.sph``.
+    """Reader of sphere packings.
 
     ``pyvista.read`` and ``pyvista.get_reader`` use it for the extensions that PyVista does not
     read itself.
@@ -58,9 +58,7 @@ class SpherePackingReader(pv.BaseReader):
         self._errors = ErrorLog(self.reader)
 
     def _set_directory(self, directory: str) -> None:
-        raise IsADirectoryError(
-            f"{directory}: is a directory, expected a file with a packing"
-        )
+        raise IsADirectoryError(f"{directory}: is a directory, expected a file with a packing")
 
     def _update_information(self) -> None:
         # There is nothing to know before the file is read, and PyVista drops what is raised here.
@@ -75,9 +73,7 @@ class SpherePackingReader(pv.BaseReader):
     @precision.setter
     def precision(self, precision: Literal["single", "double"]) -> None:
         if precision not in ("single", "double"):
-            raise ValueError(
-                f"precision is {precision!r}, expected 'single' or 'double'"
-            )
+            raise ValueError(f"precision is {precision!r}, expected 'single' or 'double'")
         single = precision == "single"
         self.reader.SetOutputPointsPrecision(
             self.reader.SINGLE_PRECISION if single else self.reader.DOUBLE_PRECISION
