@@ -22,8 +22,9 @@ _NAMES = {
 
 def _pyvista_root() -> str:
     """Top-level package of the VTK that PyVista runs on."""
-    vtk_class = next(c for c in pv.PolyData.__mro__ if c.__name__ == "vtkPolyData")
-    return vtk_class.__module__.partition(".")[0]
+    # The root class: cvista's Python overrides of others call themselves vtkmodules' too.
+    root = next(c for c in pv.PolyData.__mro__ if c.__name__ == "vtkObjectBase")
+    return root.__module__.partition(".")[0]
 
 
 def _check(built: str, running: str) -> None:
