@@ -41,7 +41,7 @@ def render(
     scalars: str | None = None,
     cmap: str | None = None,
     clim: tuple[float, float] | None = None,
-    log_scale: bool = False,
+    log_scale: bool | None = None,
     color: str | None = None,
     opacity: float = 1.0,
     scalar_bar: bool = True,
@@ -54,6 +54,7 @@ def render(
     parallel: bool = False,
     background: str | None = None,
     transparent: bool = False,
+    anti_aliasing: bool = True,
 ) -> None:
     """Draw a packing and save the picture.
 
@@ -70,7 +71,7 @@ def render(
     clim
         Range of the scalars that the colour map spans.
     log_scale
-        Map the scalars logarithmically.
+        Map the scalars logarithmically; by default for radii that span more than a factor of 20.
     color
         One colour for all spheres, a name or #rrggbb.
     opacity
@@ -80,7 +81,7 @@ def render(
     size
         Width and height of the picture in pixels.
     camera
-        Position of the camera; by default the whole packing is seen from (1, 1, 1).
+        Position of the camera; by default the packing fills the picture, seen along (-1, -1, -1).
     focal
         Point that the camera looks at; by default the middle of the packing.
     up
@@ -95,40 +96,65 @@ def render(
         Colour behind the spheres, a name or #rrggbb.
     transparent
         Leave the background transparent.
+    anti_aliasing
+        Smooth edges, by drawing a larger picture and averaging it.
     """
     from ._offscreen import choose_window
+    from ._view import aim, fit
     from .image import check_output
 
     check_output(output)
     _check_view(size, zoom, view_angle)
     choose_window()
-    spheres = _read(packing)
 
     import pyvista as pv
 
+    spheres = _read(packing)
     plotter = pv.Plotter(off_screen=True, window_size=list(size))
     try:
         if background is not None:
             plotter.set_background(background)
+        if anti_aliasing:
+            plotter.enable_anti_aliasing("ssaa")
+        if log_scale is None and color is None and scalars in (None, "radius"):
+            log_scale, clim = _radius_scale(spheres, clim)
         plotter.packing.add(
             spheres,
             scalars=scalars,
             cmap=cmap,
             clim=clim,
-            log_scale=log_scale,
+            log_scale=bool(log_scale),
             color=color,
             opacity=opacity,
             show_scalar_bar=scalar_bar,
+            specular=0.3,
+            specular_power=20.0,
         )
-        _aim(plotter, camera, focal, up)
+        aim(plotter.camera, camera, focal, up)
         if view_angle is not None:
             plotter.camera.view_angle = view_angle
+        elif camera is None and focal is None and spheres.n_points:
+            # The scalar bar needs room at the bottom.
+            fit(plotter.camera, spheres, size, 0.78 if scalar_bar and color is None else 0.92)
         if parallel:
             plotter.enable_parallel_projection()
         plotter.camera.zoom(zoom)
+        plotter.renderer.ResetCameraClippingRange()
         plotter.packing.screenshot(output, transparent_background=transparent)
     finally:
         plotter.close()
+
+
+def _radius_scale(
+    packing: object, clim: tuple[float, float] | None
+) -> tuple[bool, tuple[float, float] | None]:
+    """Whether the radii call for a logarithmic scale, and the range of the colour map."""
+    radii = packing.packing.radii
+    positive = radii[radii > 0.0]
+    if not positive.size or positive.max() <= 20.0 * positive.min():
+        return False, clim
+    # Zero has no logarithm, and nothing that is drawn has that radius.
+    return True, clim or (float(positive.min()), float(positive.max()))
 
 
 def _check_view(size: tuple[int, int], zoom: float, view_angle: float | None) -> None:
@@ -138,26 +164,6 @@ def _check_view(size: tuple[int, int], zoom: float, view_angle: float | None) ->
         raise ValueError(f"--zoom: found {zoom}, expected a number above 0")
     if view_angle is not None and not 0.0 < view_angle < 180.0:
         raise ValueError(f"--view-angle: found {view_angle}, expected degrees from 0 to 180")
-
-
-def _aim(plotter: object, position: Vector | None, focal: Vector | None, up: Vector | None) -> None:
-    """Place the camera; what is not given stays as the scene suggests it."""
-    import numpy as np
-
-    camera = plotter.camera
-    if up is None:
-        up = camera.up
-    if focal is not None:
-        camera.focal_point = focal
-    if position is not None:
-        camera.position = position
-    view = np.subtract(camera.focal_point, camera.position)
-    if not view.any():
-        raise ValueError("--camera: the camera is where it looks at, expected another --focal")
-    if not np.cross(view, up).any():
-        up = (0.0, 1.0, 0.0) if up[1] == 0.0 else (0.0, 0.0, 1.0)
-    camera.up = up
-    plotter.renderer.ResetCameraClippingRange()
 
 
 @app.command
