@@ -1,0 +1,36 @@
+# Where things are installed, and how they find each other there.
+#
+# The libraries of the modules lie beside the wrapped modules in the Python package. In a wheel the
+# install prefix is the site-packages folder itself. A plain install uses the folder that the
+# interpreter looks into under any prefix: Debian's system Python says dist-packages, others say
+# site-packages.
+if (SKBUILD)
+  set(_site_dir ".")
+else ()
+  execute_process(
+    COMMAND "${Python3_EXECUTABLE}" -c "
+import pathlib, sys, sysconfig
+name = pathlib.PurePath(sysconfig.get_path('platlib')).name
+print(f'lib/python{sys.version_info.major}.{sys.version_info.minor}/{name}')"
+    OUTPUT_VARIABLE _site_dir
+    OUTPUT_STRIP_TRAILING_WHITESPACE
+    COMMAND_ERROR_IS_FATAL ANY)
+endif ()
+set(SPHEREPACKING_SITE_DIR "${_site_dir}" CACHE STRING
+  "The folder on Python's path that receives the package, relative to the install prefix")
+if (SPHEREPACKING_SITE_DIR STREQUAL ".")
+  set(SPHEREPACKING_PYTHON_DIR "spherepacking")
+else ()
+  set(SPHEREPACKING_PYTHON_DIR "${SPHEREPACKING_SITE_DIR}/spherepacking")
+endif ()
+
+set(CMAKE_INSTALL_RPATH "$ORIGIN")
+if (SPHEREPACKING_VTK_PACKAGE STREQUAL "cvista")
+  # A wheel finds VTK's libraries in the cvista package next to it.
+  list(APPEND CMAKE_INSTALL_RPATH "$ORIGIN/../cvista")
+endif ()
+if (NOT SKBUILD)
+  # A plain install stays on this machine: it may name the folder that VTK was linked from. CMake
+  # leaves out what the system's loader finds by itself.
+  set(CMAKE_INSTALL_RPATH_USE_LINK_PATH ON)
+endif ()
