@@ -1,0 +1,185 @@
+"""Fixtures for all tests: data, randomness, the offscreen window, leaked VTK objects."""
+
+import ctypes
+import gc
+import os
+import subprocess
+import sys
+import zlib
+from pathlib import Path
+
+import hypothesis
+import numpy as np
+import pytest
+
+TESTS = Path(__file__).resolve().parent
+ROOT = TESTS.parent
+# Folders whose tests open no window, and those that also run under the sanitizers.
+WINDOWLESS = {"core", "packaging", "reader"}
+HARD = {"core", "reader"}
+
+# The same examples in every run: a failure on one machine is a failure on all.
+hypothesis.settings.register_profile("repeatable", derandomize=True, deadline=None)
+hypothesis.settings.load_profile("repeatable")
+
+
+def choose_window():
+    """Name VTK's offscreen window class, unless the caller's environment names one."""
+    if "VTK_DEFAULT_OPENGL_WINDOW" in os.environ:
+        return
+    try:
+        ctypes.CDLL("libOSMesa.so.8")
+    except OSError:
+        os.environ["VTK_DEFAULT_OPENGL_WINDOW"] = "vtkEGLRenderWindow"
+    else:
+        os.environ["VTK_DEFAULT_OPENGL_WINDOW"] = "vtkOSOpenGLRenderWindow"
+
+
+choose_window()  # VTK reads the variable when it makes its first window
+
+
+def layer(path):
+    """Return the folder of tests/ that a test file lies in, or an empty string."""
+    parts = path.relative_to(TESTS).parts
+    return parts[0] if len(parts) > 1 else ""
+
+
+def pytest_collection_modifyitems(items):
+    for item in items:
+        if layer(item.path) in HARD:
+            item.add_marker(pytest.mark.hard)
+
+
+def pytest_report_header():
+    window = os.environ["VTK_DEFAULT_OPENGL_WINDOW"]
+    data = data_folder()
+    return [f"window: {window}", f"data: {data} ({'found' if data.is_dir() else 'absent'})"]
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_makereport(item, call):
+    report = yield
+    if report.when == "call":
+        item.stash[PASSED] = report.passed
+    return report
+
+
+PASSED = pytest.StashKey[bool]()
+
+
+# --- data -----------------------------------------------------------------------------------------
+
+
+def data_folder():
+    default = ROOT.parent / "shared" / "data"
+    return Path(os.environ.get("SPHEREPACKING_DATA", default))
+
+
+@pytest.fixture(scope="session")
+def data_file():
+    """Return a function from a file name to its path that skips the test where it is absent."""
+
+    def find(name):
+        path = data_folder() / name
+        if not path.is_file():
+            pytest.skip(f"{name} is absent from {data_folder()}")
+        return path
+
+    return find
+
+
+@pytest.fixture(scope="session")
+def data_dir():
+    """Return the folder of real inputs; skip where it is absent."""
+    if not data_folder().is_dir():
+        pytest.skip(f"no folder {data_folder()}")
+    return data_folder()
+
+
+# --- randomness -----------------------------------------------------------------------------------
+
+
+@pytest.fixture
+def rng(request):
+    """Return a NumPy generator, seeded by the test's name; the seed is shown on failure.
+
+    SPHEREPACKING_SEED=<integer> replaces the seed of every test.
+    """
+    seed = int(os.environ.get("SPHEREPACKING_SEED", zlib.crc32(request.node.nodeid.encode())))
+    print(f"rng seed: SPHEREPACKING_SEED={seed}")
+    return np.random.default_rng(seed)
+
+
+# --- window ---------------------------------------------------------------------------------------
+
+PROBE = """
+import pyvista
+plotter = pyvista.Plotter(off_screen=True, window_size=(64, 64))
+plotter.background_color = "black"
+plotter.add_mesh(pyvista.Sphere(), color="white", lighting=False)
+picture = plotter.screenshot(return_img=True)
+plotter.close()
+assert picture[32, 32].min() > 250 and picture[0, 0].max() < 5, "the picture is not the sphere"
+"""
+
+
+@pytest.fixture(scope="session")
+def window_works():
+    """Return an empty string, or why the window class cannot draw.
+
+    The attempt runs in another process, because a broken driver crashes the one that asks it.
+    """
+    probe = subprocess.run(
+        [sys.executable, "-c", PROBE], capture_output=True, text=True, timeout=300, check=False
+    )
+    if probe.returncode == 0:
+        return ""
+    window = os.environ["VTK_DEFAULT_OPENGL_WINDOW"]
+    last = "\n".join((probe.stdout + probe.stderr).splitlines()[-15:])
+    return (
+        f"{window} cannot draw offscreen here (exit code {probe.returncode}). "
+        "Install libosmesa6, or libegl1, libegl-mesa0 and libgl1-mesa-dri.\n" + last
+    )
+
+
+@pytest.fixture(autouse=True)
+def offscreen(request):
+    """Let a test that may open a window fail with one clear message where none can draw."""
+    if layer(request.path) in WINDOWLESS:
+        return
+    message = request.getfixturevalue("window_works")
+    if message:
+        pytest.fail(message, pytrace=False)
+
+
+# --- leaks ----------------------------------------------------------------------------------------
+
+
+def living_vtk_objects():
+    """Return the VTK objects that Python's garbage collector knows, by id."""
+    bases = tuple(
+        sys.modules[name].vtkObjectBase
+        for name in ("cvista.vtkCommonCore", "vtkmodules.vtkCommonCore")
+        if name in sys.modules
+    )
+    gc.collect()
+    return {id(thing): thing for thing in gc.get_objects() if isinstance(thing, bases)}
+
+
+@pytest.fixture(autouse=True)
+def no_leaks(request):
+    """Fail a test that leaves VTK objects behind, as a cycle through an observer would."""
+    if request.node.get_closest_marker("allow_leaks"):
+        yield
+        return
+    before = set(living_vtk_objects())
+    yield
+    if not request.node.stash.get(PASSED, False):
+        return  # the traceback of a failed test keeps its objects
+    if "pyvista" in sys.modules:
+        sys.modules["pyvista"].close_all()
+    left = [thing for key, thing in living_vtk_objects().items() if key not in before]
+    names = sorted(type(thing).__name__ for thing in left)
+    left.clear()
+    if names:
+        pytest.fail(f"{len(names)} VTK objects were left: {', '.join(names)}", pytrace=False)

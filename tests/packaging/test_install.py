@@ -1,0 +1,62 @@
+"""What an installation offers, from a wheel as well as from a plain CMake install."""
+
+import ast
+import importlib
+import importlib.metadata
+import importlib.util
+import inspect
+from pathlib import Path
+
+import pytest
+import pyvista  # noqa: F401  brings up the VTK that the modules were linked to
+
+MODULES = ("vtkSpherePackingCore", "vtkSpherePackingRendering")
+
+
+def wrapped_classes(name):
+    """Return the wrapped classes of one module by name."""
+    module = importlib.import_module(f"spherepacking.{name}")
+    found = dict(inspect.getmembers(module, inspect.isclass))
+    assert found, f"{name} wraps no class"
+    return found
+
+
+def package_folder():
+    return Path(importlib.util.find_spec("spherepacking").origin).parent
+
+
+@pytest.mark.parametrize("name", MODULES)
+def test_every_class_has_a_stub_with_its_methods(name):
+    tree = ast.parse((package_folder() / f"{name}.pyi").read_text(encoding="utf-8"))
+    stubs = {node.name: node for node in tree.body if isinstance(node, ast.ClassDef)}
+    classes = wrapped_classes(name)
+    assert set(stubs) >= set(classes)
+    for class_name, wrapped in classes.items():
+        if not class_name.startswith("vtk"):
+            continue
+        own = {key for key in vars(wrapped) if key[0].isupper() and callable(vars(wrapped)[key])}
+        declared = {
+            node.name for node in stubs[class_name].body if isinstance(node, ast.FunctionDef)
+        }
+        assert own <= declared, f"{class_name}: {sorted(own - declared)} have no stub"
+
+
+def test_the_package_is_marked_as_typed():
+    assert (package_folder() / "py.typed").is_file()
+
+
+@pytest.mark.hard
+@pytest.mark.parametrize("name", MODULES)
+def test_every_class_is_made_prints_and_goes(name):
+    for class_name, wrapped in wrapped_classes(name).items():
+        if class_name.startswith("vtk"):
+            made = wrapped()
+            assert made.GetClassName() == class_name
+            assert class_name in str(made)
+
+
+def test_the_metadata_is_found():
+    distribution = importlib.metadata.distribution("spherepacking")
+    scripts = {point.name: point.value for point in distribution.entry_points}
+    assert scripts["spherepacking"] == "spherepacking.cli:main"
+    assert distribution.metadata["Requires-Python"] == ">=3.12"
