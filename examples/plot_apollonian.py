@@ -1,9 +1,7 @@
-"""
-An Apollonian packing
-=====================
+"""Draw an Apollonian packing.
 
-The spheres that fill the gaps between mutually tangent spheres, over six levels, in a ball. Each
-one is drawn as an exact sphere, whatever the distance.
+The spheres that fill the gaps between mutually tangent spheres in a ball, over six levels. Each one
+is drawn as an exact sphere, whatever the distance.
 """
 
 import sys
