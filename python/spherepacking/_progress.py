@@ -18,6 +18,8 @@ class _Bar:
     def __init__(self, label: str, delay: float) -> None:
         self.label = label
         self.show_after = time.monotonic() + delay
+        # A bar that was not asked for leaves nothing behind.
+        self.transient = delay > 0.0
         self.progress = None
         self.task = None
         self.interrupted = False
@@ -31,7 +33,7 @@ class _Bar:
             from rich.console import Console
             from rich.progress import Progress
 
-            self.progress = Progress(console=Console(stderr=True), transient=True)
+            self.progress = Progress(console=Console(stderr=True), transient=self.transient)
             self.task = self.progress.add_task(self.label, total=1.0)
             self.progress.start()
         self.progress.update(self.task, completed=algorithm.GetProgress())

@@ -32,17 +32,18 @@ def aim(
     ValueError
         If there is no direction of view, or `up` is that direction.
     """
-    if focal is not None:
-        camera.focal_point = focal
-    if position is not None:
-        camera.position = position
-    view = np.subtract(camera.focal_point, camera.position)
+    # Not set before they are known to differ: VTK moves a camera that stands where it looks at.
+    position = camera.position if position is None else position
+    focal = camera.focal_point if focal is None else focal
+    view = np.subtract(focal, position)
     if not view.any():
         raise ValueError("--camera: the camera stands where it looks at, expected another --focal")
     if up is None:
         up = camera.up if np.cross(view, camera.up).any() else (0.0, 1.0, 0.0)
     if not np.cross(view, up).any():
         raise ValueError("--up: found the direction of view, expected another one")
+    camera.focal_point = focal
+    camera.position = position
     camera.up = up
 
 

@@ -109,19 +109,19 @@ class PackingAccessor:
         >>> packing.packing.plot(cmap="magma", screenshot="packing.png")  # doctest: +SKIP
         """
         from ._offscreen import choose_window
+        from .plotter import PackingComponent
 
         choose_window()
-        window = _take(kwargs, pv.Plotter.__init__)
-        show = _take(kwargs, pv.Plotter.show)
         background = kwargs.pop("background", None)
-        # Plotter and show() both know it; show() would make the window twice.
-        show.pop("window_size", None)
-        plotter = pv.Plotter(**window)
+        # `lighting` and others are known to two of them: the spheres come first, as in plot() of
+        # PyVista's meshes.
+        look = _take(kwargs, PackingComponent.add)
+        plotter = pv.Plotter(**_take(kwargs, pv.Plotter.__init__))
         try:
             if background is not None:
                 plotter.set_background(background)
-            plotter.packing.add(self._packing, **kwargs)
-            return plotter.show(**show)
+            plotter.packing.add(self._packing, **look)
+            return plotter.show(**kwargs)
         except BaseException:
             plotter.close()
             raise

@@ -210,7 +210,7 @@ def main(arguments: list[str] | None = None) -> int:
         Exit status: 0, or 2 after an error, which is told in one line on stderr.
     """
     try:
-        app(arguments, exit_on_error=False, print_error=False)
+        app(arguments, exit_on_error=False, print_error=False, result_action="return_value")
     except (
         CycloptsError,
         OSError,

@@ -36,7 +36,5 @@ class SpherePackingMapper(_PythonHalf, vtkOpenGLSpherePackingMapper):
     ) -> None:
         super().__init__(theme=theme)
         self.SetRadiusArrayName(radius)
-        # A sphere has one scalar, there is nothing to interpolate.
-        self.interpolate_before_map = False
         if dataset is not None:
             self.dataset = dataset

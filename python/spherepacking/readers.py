@@ -19,11 +19,11 @@ if TYPE_CHECKING:
 _BAR_DELAY = 0.5
 
 
-class SpherePackingReader(pv.BaseReader):
+class SpherePackingReader(pv.BaseReader, pv.TimeReader):
     """Reader of sphere packings.
 
     ``pyvista.read`` and ``pyvista.get_reader`` use it for the extensions that PyVista does not
-    read itself.
+    read itself. The steps of a LAMMPS or LIGGGHTS dump are its time points; other files have none.
 
     Parameters
     ----------
@@ -56,6 +56,7 @@ class SpherePackingReader(pv.BaseReader):
 
     def _set_defaults(self) -> None:
         self._errors = ErrorLog(self.reader)
+        self._time: float | None = None
 
     def _set_directory(self, directory: str) -> None:
         raise IsADirectoryError(f"{directory}: is a directory, expected a file with a packing")
@@ -78,6 +79,60 @@ class SpherePackingReader(pv.BaseReader):
         self.reader.SetOutputPointsPrecision(
             self.reader.SINGLE_PRECISION if single else self.reader.DOUBLE_PRECISION
         )
+
+    @property
+    def time_values(self) -> list[float]:
+        """Return the time steps of a dump; empty for other files."""
+        self.reader.UpdateInformation()
+        key = self.reader.GetExecutive().TIME_STEPS()
+        return list(self.reader.GetOutputInformation(0).Get(key) or ())
+
+    @property
+    def number_time_points(self) -> int:
+        """Return the number of time steps."""
+        return len(self.time_values)
+
+    def time_point_value(self, time_point: int) -> float:
+        """Return the time step at an index."""
+        return self.time_values[time_point]
+
+    @property
+    def active_time_value(self) -> float | None:
+        """Return the time step that is read; the first by default, None without any."""
+        return next(iter(self.time_values), None) if self._time is None else self._time
+
+    def set_active_time_value(self, time_value: float) -> None:
+        """Choose the time step to read.
+
+        Parameters
+        ----------
+        time_value : float
+            One of `time_values`.
+
+        Raises
+        ------
+        ValueError
+            If there is no such time step.
+        """
+        values = self.time_values
+        if time_value not in values:
+            raise ValueError(f"time_value: found {time_value}, expected one of {values}")
+        self._time = time_value
+
+    def set_active_time_point(self, time_point: int) -> None:
+        """Choose the time step to read by its index.
+
+        Parameters
+        ----------
+        time_point : int
+            Index into `time_values`.
+
+        Raises
+        ------
+        IndexError
+            If there is no such time step.
+        """
+        self._time = self.time_point_value(time_point)
 
     def read(self, *, validate: bool | None = None) -> pv.PolyData:
         """Read the file.
@@ -104,7 +159,10 @@ class SpherePackingReader(pv.BaseReader):
         else:
             watch = nullcontext()
         with watch:
-            self.reader.Update()
+            if self._time is None:
+                self.reader.Update()
+            else:
+                self.reader.UpdateTimeStep(self._time)
         self._errors.raise_if_any(self.reader.GetErrorMessage())
         return pv.wrap(self.reader.GetOutput(), validate=validate)
 

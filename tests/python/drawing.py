@@ -24,7 +24,7 @@ def packing(n=3, **arrays):
 
 @contextmanager
 def plotter(**words):
-    """A plotter that sees x and y from -5 to 5 in 100 by 100 pixels, background black."""
+    """Make a plotter that sees x and y from -5 to 5 in 100 by 100 pixels, background black."""
     scene = pv.Plotter(off_screen=True, window_size=(SIZE, SIZE), **words)
     scene.set_background("black")
     scene.camera_position = [(0.0, 0.0, 20.0), (0.0, 0.0, 0.0), (0.0, 1.0, 0.0)]
@@ -37,13 +37,13 @@ def plotter(**words):
 
 
 def at_spheres(picture, n=3):
-    """Colours (n, channels) in the middle of each sphere of packing(n)."""
+    """Return colours (n, channels) in the middle of each sphere of packing(n)."""
     columns = np.round(MIDDLE + 10 * 3.0 * (np.arange(n) - (n - 1) / 2)).astype(int)
     return np.asarray(picture)[MIDDLE, columns]
 
 
 def colours(mesh, **words):
-    """Colours (n, 3) of the unlit spheres of `mesh` as `add` draws them with `words`."""
+    """Return colours (n, 3) of the unlit spheres of `mesh` as `add` draws them with `words`."""
     with plotter() as scene:
         scene.packing.add(mesh, lighting=False, show_scalar_bar=False, **words)
         return at_spheres(scene.screenshot(None, return_img=True), mesh.n_points).astype(int)

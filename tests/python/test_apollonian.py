@@ -4,7 +4,6 @@ import itertools
 
 import numpy as np
 import pytest
-
 import spherepacking
 
 
@@ -14,13 +13,13 @@ def spheres(levels):
 
 
 def gaps(centres, radii):
-    """Distances between the surfaces of all pairs (n, n), 0 where two touch from outside."""
+    """Return distances between the surfaces of all pairs (n, n), 0 where two touch from outside."""
     apart = np.sqrt(((centres[:, None] - centres[None]) ** 2).sum(axis=-1))
     return apart - radii[:, None] - radii[None]
 
 
 def number_of_new_spheres(levels):
-    """The number of spheres that each level adds, from the growth of the group of reflections.
+    """Return how many spheres each level adds, from the growth of the group of reflections.
 
     The five reflections generate a Coxeter group with all orders 3, W, which permutes the spheres;
     four of them fix the fifth sphere. Spheres of one of the five orbits so are the cosets of the
@@ -55,7 +54,9 @@ def test_documented_counts():
     text = spherepacking.apollonian.__doc__
     counts = np.cumsum(number_of_new_spheres(11)) - 1
     listed = text[text.index("numbers of spheres are") : text.index("Returns")]
-    assert [int(word.strip(",.")) for word in listed.split() if word[0].isdigit()] == counts.tolist()
+    assert [
+        int(word.strip(",.")) for word in listed.split() if word[0].isdigit()
+    ] == counts.tolist()
 
 
 def test_no_overlap_and_all_inside():
@@ -98,7 +99,7 @@ def test_soddy_gosset_theorem_holds_for_the_start():
 
 
 def other_tangent_sphere(four, known):
-    """The second sphere tangent to four mutually tangent ones, by inversion, in floats.
+    """Return the second sphere tangent to four mutually tangent ones, by inversion, in floats.
 
     The sphere through the points where the four touch is perpendicular to them all; inversion in it
     leaves them where they are and swaps the two spheres tangent to them.
@@ -172,5 +173,5 @@ def test_levels_out_of_range(levels):
 
 
 def test_levels_of_another_type():
-    with pytest.raises(TypeError, match="levels: found 2.5, expected an integer"):
+    with pytest.raises(TypeError, match=r"levels: found 2\.5, expected an integer"):
         spherepacking.apollonian(2.5)

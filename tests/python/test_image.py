@@ -2,7 +2,6 @@
 
 import numpy as np
 import pytest
-
 import spherepacking
 from spherepacking.image import check_output
 
@@ -53,7 +52,7 @@ def test_floats_in_png_are_rounded_and_clamped(tmp_path):
 def test_unknown_extension_names_file_and_reason(tmp_path):
     path = tmp_path / "a.nonsense"
     for attempt in (check_output, lambda p: spherepacking.write_image(p, np.zeros((2, 2)))):
-        with pytest.raises(ValueError, match="a.nonsense.*nonsense"):
+        with pytest.raises(ValueError, match=r"a\.nonsense.*nonsense"):
             attempt(path)
     assert not path.exists()
 
@@ -97,7 +96,7 @@ def test_no_shape_of_a_picture(tmp_path, pixels):
 
 @pytest.mark.parametrize("pixels", [np.zeros((2, 2), complex), np.zeros((2, 2), int)])
 def test_no_type_of_a_picture(tmp_path, pixels):
-    with pytest.raises(TypeError, match="pixels: found (complex|int)"):
+    with pytest.raises(TypeError, match=r"pixels: found (complex|int)"):
         spherepacking.write_image(tmp_path / "a.png", pixels)
 
 

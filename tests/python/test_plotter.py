@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 import pyvista as pv
 from drawing import SIZE, colours, packing, plotter
-
 from spherepacking.plotter import PackingComponent
 
 RED, GREEN, BLUE = (255, 0, 0), (0, 255, 0), (0, 0, 255)
@@ -80,7 +79,9 @@ def test_clim_below_and_above():
 
 
 def test_nan_color():
-    found = colours(packing(height=[0, np.nan, 0]), scalars="height", cmap=["red"], nan_color="lime")
+    found = colours(
+        packing(height=[0, np.nan, 0]), scalars="height", cmap=["red"], nan_color="lime"
+    )
     assert close(found, [RED, GREEN, RED])
 
 
@@ -128,8 +129,20 @@ def test_rgb_by_name():
     assert close(colours(packing(tint_rgb=np.array(RGB, np.uint8)), scalars="tint_rgb"), RGB)
 
 
+def through(*opacities):
+    """White spheres over black: each shows its front and, through it, its back."""
+    return [[255 * (1 - (1 - opacity) ** 2)] * 3 for opacity in opacities]
+
+
 def test_opacity_of_the_actor():
-    assert close(colours(packing(), color="white", opacity=0.5), 128, tolerance=2)
+    assert close(colours(packing(), color="white", opacity=0.5), through(0.5), tolerance=2)
+
+
+def test_opacity_is_that_of_a_meshed_sphere():
+    with plotter() as scene:
+        scene.add_mesh(pv.Sphere(radius=1.0), color="white", lighting=False, opacity=0.5)
+        meshed = scene.screenshot(None, return_img=True)[50, 50]
+    assert close(colours(packing(1), color="white", opacity=0.5), meshed)
 
 
 @pytest.mark.parametrize("named", [True, False])
@@ -139,13 +152,13 @@ def test_opacity_of_each_sphere(named, mapped):
     mesh = packing(clear=values, height=[1.0, 1.0, 1.0])
     look = {"scalars": "height", "cmap": ["white"], "clim": (0, 2)} if mapped else {"color": "w"}
     found = colours(mesh, opacity="clear" if named else values, **look)
-    assert close(found, [[0] * 3, [128] * 3, [255] * 3], tolerance=2)
+    assert close(found, through(0.0, 0.5, 1.0), tolerance=2)
 
 
 def test_opacity_along_the_colour_map():
     mesh = packing(height=[0.0, 1.0, 2.0])
     found = colours(mesh, scalars="height", cmap=["white"] * 256, opacity="linear")
-    assert close(found, [[0] * 3, [128] * 3, [255] * 3], tolerance=3)
+    assert close(found, through(0.0, 0.5, 1.0), tolerance=3)
 
 
 @pytest.mark.parametrize("radius", ["half", [0.5, 0.5, 0.5], 0.5, np.float32(0.5)])
@@ -305,7 +318,11 @@ def test_two_actors_colour_one_packing_differently():
 
 
 BAD = [
-    (KeyError, "radius: the packing has no point array 'width', .* radius, height", {"radius": "width"}),
+    (
+        KeyError,
+        "radius: the packing has no point array 'width', .* radius, height",
+        {"radius": "width"},
+    ),
     (TypeError, "radius: .*'kind'", {"radius": "kind"}),
     (ValueError, "radius: .*'velocity' has 3 components, expected 1", {"radius": "velocity"}),
     (ValueError, "radius: found 2 values, expected one for each of 3", {"radius": [1.0, 2.0]}),
@@ -318,7 +335,11 @@ BAD = [
     (KeyError, "scalars: the packing has no point array 'width'", {"scalars": "width"}),
     (ValueError, "scalars: found 2 values, expected one for each of 3", {"scalars": [1.0, 2.0]}),
     (ValueError, "scalars: found a single value", {"scalars": 1.0}),
-    (ValueError, r"rgb: found scalars of shape \(3,\), expected", {"scalars": "height", "rgb": True}),
+    (
+        ValueError,
+        r"rgb: found scalars of shape \(3,\), expected",
+        {"scalars": "height", "rgb": True},
+    ),
     (ValueError, "rgb: found no scalars", {"rgb": True}),
     (ValueError, "opacity: found 1.5, expected values from 0 to 1", {"opacity": 1.5}),
     (ValueError, "opacity: found .*nan", {"opacity": np.nan}),
@@ -343,14 +364,14 @@ def test_one_error_and_nothing_added(capfd, kind, message, words):
 
 @pytest.mark.parametrize("thing", [None, 3, np.zeros((4, 3)), pv.ImageData(), "file.spheres"])
 def test_what_is_no_packing(thing):
-    with plotter() as scene, pytest.raises(TypeError, match="packing: found a .*expected a PolyD"):
+    with plotter() as scene, pytest.raises(TypeError, match=r"packing: found a .*expected a PolyD"):
         scene.packing.add(thing)
 
 
 def test_a_centre_that_is_not_finite():
     mesh = packing()
     mesh.points[1, 2] = np.nan
-    with plotter() as scene, pytest.raises(ValueError, match="centre of point 1 .*nan"):
+    with plotter() as scene, pytest.raises(ValueError, match=r"centre of point 1 .*nan"):
         scene.packing.add(mesh)
 
 
