@@ -103,6 +103,11 @@ has_x11_headers() {
   printf '#include <X11/Xlib.h>\n' | "${CXX:-c++}" -E -x c++ - >/dev/null 2>&1
 }
 
+# Whether .venv has a Python with pip, and no installation into it was cut short.
+venv_works() {
+  [ ! -e "$venv/.installing" ] && "$venv/bin/python" -c 'import pip' 2>/dev/null
+}
+
 # What Debian calls the missing things, in `packages`.
 missing_packages() {
   packages=()
@@ -123,13 +128,11 @@ missing_packages() {
   fi
   if venv_works; then return; fi
   find_python
-  # The system's Python would do, but Debian keeps parts of it in packages of their own.
+  # Debian's own Python would do, but Debian keeps parts of it in packages of their own.
   if [ -z "$python" ] && [[ $rejected =~ /usr/bin/python3\ is\ .*\ but\ lacks ]]; then
     packages+=(python3-venv python3-dev)
   fi
 }
-
-venv_works() { "$venv/bin/python" -c 'import pip' 2>/dev/null; }
 
 install_packages() {
   missing_packages
@@ -153,11 +156,12 @@ install_packages() {
 
 # --- environment and package --------------------------------------------------------------------
 
-# A .venv that these scripts began is made anew when it is broken; another one is left alone.
+# A .venv that these scripts began is made anew when it is broken or an installation into it was cut
+# short, of which pip itself keeps no trace; another one is left alone.
 make_venv() {
   if venv_works; then return; fi
   if [ -e "$venv" ] && [ ! -e "$venv/.begun-by-scripts" ]; then
-    die "$venv is there, but its Python does not work: move it away"
+    die "$venv is there, but does not work or was left half-filled: move it away"
   fi
   if [ -z "$python" ]; then
     die "no usable CPython 3.$oldest_python to 3.$newest_python on PATH or under pyenv.
@@ -181,6 +185,14 @@ sources_hash() {
   } | sha256sum | cut -d ' ' -f 1
 }
 
+# pip install, only of wheels: a dependency without one for this Python must fail here, not compile
+# for hours.
+install_wheels() {
+  touch "$venv/.installing"
+  logged "$venv/bin/python" -m pip install --only-binary :all: "$@"
+  rm "$venv/.installing"
+}
+
 # The wheel is built the way `pip install .` builds it: isolated, with what pyproject.toml names.
 install_package() {
   local hash wheel extra
@@ -191,10 +203,9 @@ install_package() {
     logged "$venv/bin/python" -m pip wheel --no-deps --wheel-dir build/wheel .
     say "installing it and what it needs into .venv"
     wheel=$(echo build/wheel/*.whl)
-    # Only wheels: a dependency without one for this Python must fail here, not compile for hours.
-    logged "$venv/bin/python" -m pip install --only-binary :all: "$wheel"
+    install_wheels "$wheel"
     # pip skips a wheel of the same version, so the package itself is put in once more.
-    logged "$venv/bin/python" -m pip install --no-deps --force-reinstall "$wheel"
+    install_wheels --no-deps --force-reinstall "$wheel"
     printf '%s\n' "$hash" >"$venv/.package-stamp"
   fi
   wheel=$(echo build/wheel/*.whl)
@@ -202,7 +213,7 @@ install_package() {
   for extra; do
     if [ "$(cat "$venv/.$extra-stamp" 2>/dev/null)" = "$hash" ]; then continue; fi
     say "installing the extra '$extra'"
-    logged "$venv/bin/python" -m pip install --only-binary :all: "$wheel[$extra]"
+    install_wheels "$wheel[$extra]"
     printf '%s\n' "$hash" >"$venv/.$extra-stamp"
   done
 }
