@@ -11,6 +11,7 @@
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
+#include "vtkSpherePackingSplit.h"
 
 #include "vtkSpherePackingFSDeclarations.h"
 #include "vtkSpherePackingFSDepth.h"
@@ -32,13 +33,6 @@ void Substitute(
   std::string source = shaders.at(type)->GetSource();
   vtkShaderProgram::Substitute(source, token, text);
   shaders.at(type)->SetSource(source);
-}
-
-// A double as the sum of two floats.
-void Split(double value, float& high, float& low)
-{
-  high = static_cast<float>(value);
-  low = static_cast<float>(value - high);
 }
 }
 
@@ -78,14 +72,17 @@ void vtkOpenGLSpherePackingMapper::GetShaderTemplate(
   shaders[vtkShader::Vertex]->SetSource(
     this->DrawingQuads() ? vtkSpherePackingQuadVS : vtkSpherePackingVS);
   shaders[vtkShader::Geometry]->SetSource("");
-  Substitute(shaders, vtkShader::Vertex, "//VTK::System::Dec",
-    "//VTK::System::Dec\n"
-    "#extension GL_ARB_gpu_shader_fp64 : enable\n"
-    "#ifdef GL_ARB_gpu_shader_fp64\n"
-    "#define REAL double\n#define REAL2 dvec2\n#define REAL3 dvec3\n#define REAL4 dvec4\n"
-    "#else\n"
-    "#define REAL float\n#define REAL2 vec2\n#define REAL3 vec3\n#define REAL4 vec4\n"
-    "#endif\n");
+  for (const vtkShader::Type type : { vtkShader::Vertex, vtkShader::Fragment })
+  {
+    Substitute(shaders, type, "//VTK::System::Dec",
+      "//VTK::System::Dec\n"
+      "#extension GL_ARB_gpu_shader_fp64 : enable\n"
+      "#ifdef GL_ARB_gpu_shader_fp64\n"
+      "#define REAL double\n#define REAL2 dvec2\n#define REAL3 dvec3\n#define REAL4 dvec4\n"
+      "#else\n"
+      "#define REAL float\n#define REAL2 vec2\n#define REAL3 vec3\n#define REAL4 vec4\n"
+      "#endif\n");
+  }
   // The rasterised depth is that of the sphere's front, so early depth tests may reject.
   Substitute(shaders, vtkShader::Fragment, "//VTK::System::Dec",
     "//VTK::System::Dec\n"
@@ -102,7 +99,7 @@ void vtkOpenGLSpherePackingMapper::ReplaceShaderPositionVC(
     std::string("#ifdef GL_ARB_conservative_depth\n"
                 "layout(depth_greater) out float gl_FragDepth;\n"
                 "#endif\n") +
-      (this->DrawingQuads() ? "#define SPHERES_MAY_BE_NEAR\n" : "") +
+      (this->DrawingQuads() ? "#define DRAWING_QUADS\n" : "") +
       (this->Impl->MayBeCut ? "#define SPHERES_MAY_BE_CUT\n" : "") +
       "const bool parallelView = " + (parallel ? "true" : "false") + ";\n" + vtkSpherePackingFSDeclarations);
   Substitute(shaders, vtkShader::Fragment, "//VTK::PositionVC::Impl", vtkSpherePackingFSHit);
@@ -236,6 +233,8 @@ void vtkOpenGLSpherePackingMapper::AddAttributes(vtkOpenGLHelper& cellBO)
     add("corner", offsetof(V, Corner), 3);
     add("sphereReference", offsetof(V, Reference), 4);
     add("sphereShape", offsetof(V, Shape), 4);
+    add("sphereShapeLow", offsetof(V, ShapeLow), 4);
+    add("sphereRest", offsetof(V, Rest), 4);
     addBytes(buffer, "sphereColor", offsetof(V, Color), stride, true);
     addBytes(buffer, "sphereId", offsetof(V, Id), stride, false);
   }
@@ -288,13 +287,18 @@ void vtkOpenGLSpherePackingMapper::SetCameraShaderParameters(
   const vtkSpherePackingView& view = this->Impl->View;
   vtkShaderProgram* program = cellBO.Program;
   const double length = view.Far - view.Near;
-  const float rayMap[4] = { static_cast<float>(1.0 / view.PixelMap[0]),
-    static_cast<float>(1.0 / view.PixelMap[1]),
-    static_cast<float>(-(view.PixelMap[2] + view.Viewport[0]) / view.PixelMap[0]),
-    static_cast<float>(-(view.PixelMap[3] + view.Viewport[1]) / view.PixelMap[1]) };
-  program->SetUniform4f("rayMap", rayMap);
+  float rayMap[2][4];
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const double factor = 1.0 / view.PixelMap[axis];
+    const double offset = -(view.PixelMap[2 + axis] + view.Viewport[axis]) * factor;
+    vtkSpherePackingSplit(factor, rayMap[0][axis], rayMap[1][axis]);
+    vtkSpherePackingSplit(offset, rayMap[0][2 + axis], rayMap[1][2 + axis]);
+  }
+  program->SetUniform4f("rayMapHigh", rayMap[0]);
+  program->SetUniform4f("rayMapLow", rayMap[1]);
   const float depthMap[3] = { static_cast<float>(view.Near), static_cast<float>(length),
-    static_cast<float>((view.Parallel ? 1.0 : view.Far) / length) };
+    static_cast<float>(view.Near / length) };
   program->SetUniform3f("depthMap", depthMap);
   if (program->IsUniformUsed("cameraParallel"))
   {
@@ -306,31 +310,36 @@ void vtkOpenGLSpherePackingMapper::SetCameraShaderParameters(
     return;
   }
 
-  float rows[6][3];
+  // Matrices go column by column, so a row becomes a column.
+  float rows[2][9];
   float eye[2][3];
   for (int i = 0; i < 3; ++i)
   {
-    Split(view.Eye[i], eye[0][i], eye[1][i]);
+    vtkSpherePackingSplit(view.Eye[i], eye[0][i], eye[1][i]);
     for (int j = 0; j < 3; ++j)
     {
-      Split(view.Rows[i][j], rows[i][j], rows[i + 3][j]);
+      vtkSpherePackingSplit(view.Rows[i][j], rows[0][3 * i + j], rows[1][3 * i + j]);
     }
   }
   float pixelMap[2][4];
   float viewport[4];
   for (int i = 0; i < 4; ++i)
   {
-    Split(view.PixelMap[i], pixelMap[0][i], pixelMap[1][i]);
+    vtkSpherePackingSplit(view.PixelMap[i], pixelMap[0][i], pixelMap[1][i]);
     viewport[i] = static_cast<float>(view.Viewport[i]);
   }
-  float range[2][2];
-  Split(view.Near, range[0][0], range[1][0]);
-  Split(view.Far, range[0][1], range[1][1]);
-  program->SetUniform3fv("viewRows", 6, rows);
-  program->SetUniform3fv("eyePosition", 2, eye);
-  program->SetUniform4fv("pixelMap", 2, pixelMap);
-  program->SetUniform2fv("clipRange", 2, range);
+  float range[4];
+  vtkSpherePackingSplit(view.Near, range[0], range[2]);
+  vtkSpherePackingSplit(view.Far, range[1], range[3]);
+  program->SetUniformMatrix3x3("viewHigh", rows[0]);
+  program->SetUniformMatrix3x3("viewLow", rows[1]);
+  program->SetUniform3f("eyeHigh", eye[0]);
+  program->SetUniform3f("eyeLow", eye[1]);
+  program->SetUniform4f("pixelMapHigh", pixelMap[0]);
+  program->SetUniform4f("pixelMapLow", pixelMap[1]);
+  program->SetUniform4f("clipRange", range);
   program->SetUniform4f("viewport", viewport);
   program->SetUniformf("radiusScale", static_cast<float>(view.RadiusScale));
+  program->SetUniformf("largestRelativeRadius", vtkSpherePackingLargestRelativeRadius);
   program->SetUniformf("maximumPointSize", this->Impl->MaximumPointSize);
 }

@@ -4,6 +4,7 @@
 #include "vtkDataArray.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSpherePackingSplit.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -90,7 +91,8 @@ bool NeedsQuad(const std::array<double, 3>& model, double radius,
   {
     return false;
   }
-  const bool close = !view.Parallel && distance < 3.0 * Slack * r;
+  const double reference = view.Parallel ? view.Far - view.Near : distance;
+  const bool close = reference * vtkSpherePackingLargestRelativeRadius < Slack * r;
   const Outline pixels = ComputeOutline(c, distance, r, view);
   double size = 0.0;
   for (int axis = 0; axis < 2; ++axis)
@@ -130,24 +132,25 @@ vtkSpherePackingQuadVertex MakeVertex(const Sphere& sphere, const vtkSpherePacki
     double pixel = 0.5 * view.Viewport[2 + axis];
     if (view.Parallel || sphere.Distance > 0.0)
     {
-      pixel = std::floor(scale * sphere.View[axis] / reach + offset);
+      pixel = scale * sphere.View[axis] / reach + offset;
     }
-    pixel = 0.5 + std::clamp(pixel, 0.0, view.Viewport[2 + axis]);
+    pixel = 0.5 + std::floor(std::clamp(pixel, 0.0, view.Viewport[2 + axis]));
     vertex.Reference[axis] = static_cast<float>(pixel + view.Viewport[axis]);
-    vertex.Reference[2 + axis] =
-      static_cast<float>(reach * (pixel - offset) / scale - sphere.View[axis]);
+    const double miss = reach * (pixel - offset) / scale - sphere.View[axis];
+    vtkSpherePackingSplit(miss, vertex.Reference[2 + axis], vertex.Rest[axis]);
   }
-  vertex.Shape[0] = static_cast<float>(reach);
-  vertex.Shape[1] = static_cast<float>(sphere.Radius);
-  vertex.Shape[2] = static_cast<float>(sphere.Distance - view.Near);
-  // Of the two ways to the hit's depth behind the near plane take the one that rounds less:
-  // near + (centre - near) - along rounds like the centre's, the other like the hit's own depth.
-  if (!view.Parallel && sphere.Distance + view.Near < 3.0 * sphere.Radius)
+  const double shape[4] = { reach, sphere.Radius, sphere.Distance - view.Near,
+    view.Far - sphere.Distance };
+  for (int i = 0; i < 4; ++i)
+  {
+    vtkSpherePackingSplit(shape[i], vertex.Shape[i], vertex.ShapeLow[i]);
+  }
+  if (!view.Parallel && sphere.Distance < 3.0 * sphere.Radius)
   {
     const auto& c = sphere.View;
     const double length = std::hypot(c[0], c[1], c[2]);
-    vertex.Shape[3] =
-      static_cast<float>((length - sphere.Radius) * (length + sphere.Radius));
+    vtkSpherePackingSplit(
+      (length - sphere.Radius) * (length + sphere.Radius), vertex.Rest[2], vertex.Rest[3]);
   }
   return vertex;
 }
@@ -184,7 +187,8 @@ bool MayNeedQuads(const vtkSpherePackingBlock& block, const vtkSpherePackingView
   const double pixels = std::max(std::abs(view.PixelMap[0]), std::abs(view.PixelMap[1]));
   if (view.Parallel)
   {
-    return 2.0 * r * pixels >= maximumPointSize - 2.0;
+    return (view.Far - view.Near) * vtkSpherePackingLargestRelativeRadius < Slack * r ||
+      2.0 * r * pixels >= maximumPointSize - 2.0;
   }
   double squared = 0.0;
   for (int axis = 0; axis < 3; ++axis)
@@ -204,7 +208,7 @@ bool MayNeedQuads(const vtkSpherePackingBlock& block, const vtkSpherePackingView
   }
   // In front of the eye, depth >= distance / corner for what is in the window.
   const double depth = std::sqrt(squared) * view.RadiusScale / std::sqrt(corner) - r;
-  return depth < 4.0 * r || 2.0 * r * pixels * corner / depth >= maximumPointSize - 2.0;
+  return depth * vtkSpherePackingLargestRelativeRadius < Slack * r || 2.0 * r * pixels * corner / depth >= maximumPointSize - 2.0;
 }
 }
 

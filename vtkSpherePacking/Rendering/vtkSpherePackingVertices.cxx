@@ -8,6 +8,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
+#include "vtkSpherePackingSplit.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -35,8 +36,7 @@ struct FillGeometry
           for (int axis = 0; axis < 3; ++axis)
           {
             const double x = static_cast<double>(centres[ids[i]][axis]) - origin[axis];
-            vertex.High[axis] = static_cast<float>(x);
-            vertex.Low[axis] = static_cast<float>(x - vertex.High[axis]);
+            vtkSpherePackingSplit(x, vertex.High[axis], vertex.Low[axis]);
           }
           vertex.Radius = static_cast<float>(r[ids[i]]);
         }

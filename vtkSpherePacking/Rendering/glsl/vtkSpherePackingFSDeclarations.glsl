@@ -8,30 +8,60 @@
 // which has no cancellation of large terms: Haines, Guenther, Akenine-Moller, "Precision
 // Improvements for Ray/Sphere Intersection" (Ray Tracing Gems, 2019, chapter 7).
 // In a parallel view w = (0, 0, -1).
+//
+// An error e r^2 of the discriminant moves a grazing hit by about e r^2 / (2 sqrt(discriminant)).
+// Seen over 5 % of its distance or more, a sphere shows that in the depth buffer with floats;
+// such spheres are drawn as quads, and quads calculate with REAL numbers.
 
 // A window position and the miss of the ray through it: the miss is affine in the position.
 flat in vec4 sphereReferenceVSOutput;
-// Miss per unit of slope, radius, depth of the centre behind the near plane, and, for a sphere
-// whose hit is near the eye, (distance to the eye)^2 - radius^2, otherwise 0.
+// Miss per unit of slope, radius, depth of the centre behind the near plane and before the far.
 flat in vec4 sphereShapeVSOutput;
 
-uniform vec4 rayMap; // window position to slope (or view position): factors x y, offsets x y
-uniform vec3 depthMap; // near, far - near, factor of the depth buffer's value
+uniform vec4 rayMapHigh; // window position to slope (or view position): factors x y, offsets x y
+uniform vec3 depthMap; // near, far - near, near / (far - near)
 uniform int hitMode; // 0 the first visible hit, 1 only the near one, 2 only the far one
 uniform float depthShift; // towards the viewer, in depth buffer values
 
-float sphereBehind; // of the hit, behind the near plane
-float sphereAlong;
-vec2 sphereMiss;
-vec2 raySlope;
+#ifdef DRAWING_QUADS
+uniform vec4 rayMapLow;
+flat in vec4 sphereShapeLowVSOutput; // low parts of the shape
+// Low parts of the reference's miss; (distance to the eye)^2 - radius^2 as high and low part where
+// the hit is near the eye, otherwise 0.
+flat in vec4 sphereRestVSOutput;
+#else
+#undef REAL
+#undef REAL2
+#undef REAL4
+#define REAL float
+#define REAL2 vec2
+#define REAL4 vec4
+#endif
+
+REAL sphereBehind; // of the hit, behind the near plane
+REAL sphereBefore; // and before the far plane
+REAL sphereAlong;
+REAL2 sphereMiss;
+REAL2 raySlope;
+REAL4 sphereShape;
 
 // View position of the hit relative to the eye's foot point on the near plane, where z is
 // precise also when the near plane is far away.
 vec3 spherePosition()
 {
-  vec2 xy = parallelView ? gl_FragCoord.xy * rayMap.xy + rayMap.zw
-                         : raySlope * (sphereBehind + depthMap.x);
-  return vec3(xy, -sphereBehind);
+  vec2 xy = parallelView ? gl_FragCoord.xy * rayMapHigh.xy + rayMapHigh.zw
+                         : vec2(raySlope) * (float(sphereBehind) + depthMap.x);
+  return vec3(xy, -float(sphereBehind));
+}
+
+// The value that the depth buffer stores, from the nearer one of its ends.
+float sphereDepth()
+{
+  REAL scale = REAL(1.0) /
+    (parallelView ? REAL(depthMap.y) : sphereBehind + REAL(depthMap.x));
+  REAL depth = sphereBehind * scale * (parallelView ? REAL(1.0) : REAL(1.0) + REAL(depthMap.z));
+  REAL rest = sphereBefore * scale * (parallelView ? REAL(1.0) : REAL(depthMap.z));
+  return float(depth < REAL(0.5) ? depth : REAL(1.0) - rest);
 }
 
 #ifdef SPHERES_MAY_BE_CUT
@@ -39,7 +69,7 @@ vec3 spherePosition()
 
 bool sphereHitIsVisible()
 {
-  if (!(sphereBehind >= 0.0 && sphereBehind <= depthMap.y))
+  if (!(sphereBehind >= REAL(0.0) && sphereBefore >= REAL(0.0)))
   {
     return false;
   }
@@ -47,3 +77,10 @@ bool sphereHitIsVisible()
   return true;
 }
 #endif
+
+void sphereMoveTo(REAL along)
+{
+  sphereAlong = along;
+  sphereBehind = sphereShape.z + along;
+  sphereBefore = sphereShape.w - along;
+}

@@ -1,2 +1,1 @@
-  gl_FragDepth = max(
-    sphereBehind * depthMap.z / (parallelView ? 1.0 : sphereBehind + depthMap.x) - depthShift, 0.0);
+  gl_FragDepth = max(sphereDepth() - depthShift, 0.0);

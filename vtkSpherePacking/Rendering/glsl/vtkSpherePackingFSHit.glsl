@@ -1,30 +1,37 @@
-  vec2 missPerPixel = sphereShapeVSOutput.x * rayMap.xy;
-  sphereMiss = sphereReferenceVSOutput.zw +
-    (gl_FragCoord.xy - sphereReferenceVSOutput.xy) * missPerPixel;
-  raySlope = parallelView ? vec2(0.0) : gl_FragCoord.xy * rayMap.xy + rayMap.zw;
-  float rayLength2 = 1.0 + dot(raySlope, raySlope);
-  float missAlong = dot(sphereMiss, raySlope);
-  float missAcross = raySlope.x * sphereMiss.y - raySlope.y * sphereMiss.x;
-  float sphereRadius = sphereShapeVSOutput.y;
-  float discriminant = rayLength2 * sphereRadius * sphereRadius - dot(sphereMiss, sphereMiss) -
+#ifdef DRAWING_QUADS
+  REAL4 sphereMap = REAL4(rayMapHigh) + REAL4(rayMapLow);
+  sphereShape = REAL4(sphereShapeVSOutput) + REAL4(sphereShapeLowVSOutput);
+  sphereMiss = REAL2(sphereReferenceVSOutput.zw) + REAL2(sphereRestVSOutput.xy);
+#else
+  vec4 sphereMap = rayMapHigh;
+  sphereShape = sphereShapeVSOutput;
+  sphereMiss = sphereReferenceVSOutput.zw;
+#endif
+  sphereMiss += REAL2(gl_FragCoord.xy - sphereReferenceVSOutput.xy) * (sphereShape.x * sphereMap.xy);
+  raySlope = parallelView ? REAL2(0.0) : REAL2(gl_FragCoord.xy) * sphereMap.xy + sphereMap.zw;
+  REAL rayLength2 = REAL(1.0) + dot(raySlope, raySlope);
+  REAL missAlong = dot(sphereMiss, raySlope);
+  REAL missAcross = raySlope.x * sphereMiss.y - raySlope.y * sphereMiss.x;
+  REAL discriminant = rayLength2 * sphereShape.y * sphereShape.y - dot(sphereMiss, sphereMiss) -
     missAcross * missAcross;
-  if (!(discriminant >= 0.0))
+  if (!(discriminant >= REAL(0.0)))
   {
     discard;
   }
-  float rootOfDiscriminant = sqrt(discriminant);
-  float inverseLength2 = parallelView ? 1.0 : 1.0 / rayLength2;
+  REAL rootOfDiscriminant = sqrt(discriminant);
+  REAL inverseLength2 = parallelView ? REAL(1.0) : REAL(1.0) / rayLength2;
   float sphereSide = 1.0;
-  sphereAlong = -(missAlong + rootOfDiscriminant) * inverseLength2;
-  sphereBehind = sphereShapeVSOutput.z + sphereAlong;
-#ifdef SPHERES_MAY_BE_NEAR
-  if (sphereShapeVSOutput.w != 0.0)
+  sphereMoveTo(-(missAlong + rootOfDiscriminant) * inverseLength2);
+#ifdef DRAWING_QUADS
+  REAL eyeToSurface2 = REAL(sphereRestVSOutput.z) + REAL(sphereRestVSOutput.w);
+  if (eyeToSurface2 != REAL(0.0))
   {
     // The product of both roots is precise where their difference is not.
-    float hitDepth = sphereShapeVSOutput.w /
-      (sphereShapeVSOutput.x * rayLength2 - missAlong + rootOfDiscriminant);
-    sphereAlong = hitDepth - sphereShapeVSOutput.x;
-    sphereBehind = hitDepth - depthMap.x;
+    REAL hitDepth =
+      eyeToSurface2 / (sphereShape.x * rayLength2 - missAlong + rootOfDiscriminant);
+    sphereAlong = hitDepth - sphereShape.x;
+    sphereBehind = hitDepth - REAL(depthMap.x);
+    sphereBefore = REAL(depthMap.y) - sphereBehind;
   }
 #endif
 #ifdef SPHERES_MAY_BE_CUT
@@ -35,8 +42,7 @@
       discard;
     }
     sphereSide = -1.0;
-    sphereAlong = (rootOfDiscriminant - missAlong) * inverseLength2;
-    sphereBehind = sphereShapeVSOutput.z + sphereAlong;
+    sphereMoveTo((rootOfDiscriminant - missAlong) * inverseLength2);
     if (!sphereHitIsVisible())
     {
       discard;

@@ -11,14 +11,18 @@ in vec3 centerHigh; // high and low part of the centre relative to the packing's
 in vec3 centerLow;
 in float radius;
 
-// High parts first, then low parts: their sum is the double that the host computed.
-uniform vec3 viewRows[6]; // model (relative to the origin) to view, rotation and scale
-uniform vec3 eyePosition[2];
-uniform vec4 pixelMap[2]; // view slope (or position) to pixels: factors x y, offsets x y
-uniform vec2 clipRange[2]; // near, far
+// The sum of a high and a low part is the double that the host computed.
+uniform mat3 viewHigh; // columns: the rows that take model coordinates to view coordinates
+uniform mat3 viewLow;
+uniform vec3 eyeHigh; // position relative to the packing's origin
+uniform vec3 eyeLow;
+uniform vec4 pixelMapHigh; // view slope (or position) to pixels: factors x y, offsets x y
+uniform vec4 pixelMapLow;
+uniform vec4 clipRange; // near, far, low parts of near, far
 uniform vec4 viewport; // x, y, width, height in pixels
 uniform float radiusScale;
-uniform float maximumPointSize;
+uniform float maximumPointSize; // in pixels; larger spheres are drawn as quads,
+uniform float largestRelativeRadius; // and so are spheres larger than this share of their distance
 uniform int cameraParallel;
 
 flat out vec4 sphereReferenceVSOutput;
@@ -39,14 +43,13 @@ void main()
   sphereShapeVSOutput = vec4(0.0);
 
   REAL r = REAL(radius) * REAL(radiusScale);
-  REAL3 p = (REAL3(centerHigh) - REAL3(eyePosition[0])) +
-    (REAL3(centerLow) - REAL3(eyePosition[1]));
-  REAL3 c = REAL3(dot(REAL3(viewRows[0]) + REAL3(viewRows[3]), p),
-    dot(REAL3(viewRows[1]) + REAL3(viewRows[4]), p),
-    dot(REAL3(viewRows[2]) + REAL3(viewRows[5]), p));
+  REAL3 p = (REAL3(centerHigh) - REAL3(eyeHigh)) + (REAL3(centerLow) - REAL3(eyeLow));
+  REAL3 c = REAL3(dot(REAL3(viewHigh[0]) + REAL3(viewLow[0]), p),
+    dot(REAL3(viewHigh[1]) + REAL3(viewLow[1]), p),
+    dot(REAL3(viewHigh[2]) + REAL3(viewLow[2]), p));
   REAL distance = -c.z;
-  REAL4 map = REAL4(pixelMap[0]) + REAL4(pixelMap[1]);
-  REAL2 range = REAL2(clipRange[0]) + REAL2(clipRange[1]);
+  REAL4 map = REAL4(pixelMapHigh) + REAL4(pixelMapLow);
+  REAL2 range = REAL2(clipRange.xy) + REAL2(clipRange.zw);
   if (!(r > REAL(0.0)) || distance + r < range.x || distance - r > range.y)
   {
     return;
@@ -57,15 +60,19 @@ void main()
   REAL2 center;
   if (cameraParallel != 0)
   {
+    if ((range.y - range.x) * REAL(largestRelativeRadius) < r)
+    {
+      return;
+    }
     center = map.xy * c.xy + map.zw;
     low = center - map.xy * r;
     high = center + map.xy * r;
   }
   else
   {
-    if (distance < REAL(3.0) * r)
+    if (distance * REAL(largestRelativeRadius) < r)
     {
-      return; // too close for this path: drawn as a quad
+      return;
     }
     REAL along = distance * distance - r * r;
     REAL2 middle = c.xy * distance;
@@ -86,11 +93,12 @@ void main()
 
   // Clamped, since a point whose middle is outside the viewport is dropped as a whole.
   vec2 middlePixel = min(first + 0.5 * size, viewport.zw);
-  REAL2 reference = floor(center) + REAL(0.5);
+  vec2 reference = floor(vec2(center)) + 0.5; // floats hold it exactly
   REAL reach = cameraParallel != 0 ? REAL(1.0) : distance;
   sphereReferenceVSOutput =
-    vec4(vec2(reference) + viewport.xy, vec2((reference - center) * reach / map.xy));
-  sphereShapeVSOutput = vec4(float(reach), float(r), float(distance - range.x), 0.0);
+    vec4(reference + viewport.xy, vec2((REAL2(reference) - center) * reach / map.xy));
+  sphereShapeVSOutput =
+    vec4(float(reach), float(r), float(distance - range.x), float(range.y - distance));
 
   float front = max(float(distance - r - range.x), 0.0);
   float depth = cameraParallel != 0 ? front / float(range.y - range.x)
