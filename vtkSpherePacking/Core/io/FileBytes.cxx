@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/FileBytes.h"
 
+#include "io/HugePages.h"
 #include "io/PackingFileError.h"
 #include "io/Progress.h"
 
@@ -30,6 +31,7 @@ FileBytes::FileBytes(unsigned long long length)
   : Bytes(new char[length + 1])
   , Length(length)
 {
+  AdviseHugePages(this->Bytes.get(), length);
   this->Bytes[length] = '\n';
 }
 

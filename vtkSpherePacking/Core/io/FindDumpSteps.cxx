@@ -26,7 +26,7 @@ const char* FindTitle(const char* p, const char* last, const char* end)
 // The number in the line after the title at `p`.
 double ReadTime(const std::string& file, const char* p, const char* end, vtkIdType line)
 {
-  LineFinder find(p, end);
+  LineFinder find(end);
   const char* number = SkipBlanks(SkipLineEnd(find(p), end), end);
   double time = 0.0;
   const char* after = ParseNumber(number, end, time);
@@ -80,7 +80,7 @@ std::vector<DumpStep> FindDumpSteps(const std::string& file)
   {
     const FileBytes head = FileBytes::ReadHead(file, overlap);
     ThrowAtLine(file, 1,
-      "found " + Quote(head.Begin(), LineFinder(head.Begin(), head.End())(head.Begin())) +
+      "found " + Quote(head.Begin(), LineFinder(head.End())(head.Begin())) +
         " and no later step, expected ITEM: TIMESTEP");
   }
   return steps;

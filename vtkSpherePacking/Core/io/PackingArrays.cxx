@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/PackingArrays.h"
 
+#include "io/HugePages.h"
+
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
@@ -34,6 +36,7 @@ vtkSmartPointer<vtkDataArray> NewArray(
   array->SetName(name);
   array->SetNumberOfComponents(components);
   array->SetNumberOfTuples(count);
+  AdviseHugePages(array->GetVoidPointer(0), array->GetDataTypeSize() * array->GetNumberOfValues());
   return array;
 }
 

@@ -24,7 +24,7 @@ bool BeginsWith(std::string_view text, std::string_view word)
 // Lines say what they are by their first words; only YADE writes #format.
 Format FormatOfText(const char* begin, const char* end)
 {
-  LineFinder find(begin, end);
+  LineFinder find(end);
   for (const char* p = SkipUtf8Mark(begin, end); p != end;)
   {
     const char* lineEnd = find(p);

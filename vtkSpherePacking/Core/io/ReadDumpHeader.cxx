@@ -22,7 +22,7 @@ public:
   HeaderScanner(const std::string& file, const TextRange& text)
     : File(file)
     , Text(text)
-    , Find(text.Begin, text.End)
+    , Find(text.End)
     , Next(text.Begin)
     , NextLine(text.FirstLine)
   {
@@ -225,7 +225,7 @@ private:
 // Text columns such as element are known by the first row.
 void MarkText(DumpHeader& header)
 {
-  LineFinder find(header.Atoms.Begin, header.Atoms.End);
+  LineFinder find(header.Atoms.End);
   for (const char* p = header.Atoms.Begin; p != header.Atoms.End;)
   {
     const char* end = find(p);

@@ -32,7 +32,7 @@ public:
   TreeScanner(const std::string& file, const TextRange& text)
     : File(file)
     , Text(text)
-    , Find(text.Begin, text.End)
+    , Find(text.End)
     , Next(text.Begin)
     , NextLine(text.FirstLine)
   {

@@ -24,7 +24,7 @@ struct Head
 Head FindHead(const std::string& file, const TextRange& text)
 {
   Head head;
-  LineFinder find(text.Begin, text.End);
+  LineFinder find(text.End);
   vtkIdType number = text.FirstLine;
   for (const char* p = text.Begin; p != text.End; ++number)
   {

@@ -1,33 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/TextChunks.h"
 
-#include <cstring>
-
 namespace spherepacking
 {
-//------------------------------------------------------------------------------
-bool IsRow(RowKind kind, const char* begin, const char* end)
-{
-  if (kind == RowKind::Atom)
-  {
-    const auto begins = [&](const char* word, std::ptrdiff_t length)
-    { return end - begin >= length && std::memcmp(begin, word, length) == 0; };
-    return begins("ATOM", 4) || begins("HETATM", 6);
-  }
-  begin = SkipBlanks(begin, end);
-  return begin != end && *begin != '#';
-}
-
 //------------------------------------------------------------------------------
 std::vector<TextChunk> CutIntoChunks(
   const TextRange& text, RowKind kind, vtkIdType chunkSize, vtkIdType firstRow, Progress& progress)
 {
   std::vector<TextChunk> chunks;
-  LineFinder find(text.Begin, text.End);
   for (const char* p = text.Begin; p != text.End;)
   {
     const char* cut = text.End - p > chunkSize ? p + chunkSize : text.End;
-    cut = SkipLineEnd(find(cut), text.End);
+    while (cut != text.End && !IsLineEnd(*cut))
+    {
+      ++cut;
+    }
+    cut = SkipLineEnd(cut, text.End);
     TextChunk chunk;
     chunk.Begin = p;
     chunk.End = cut;
@@ -43,7 +31,7 @@ std::vector<TextChunk> CutIntoChunks(
       for (vtkIdType i = first; i < last; ++i)
       {
         TextChunk& chunk = chunks[i];
-        LineFinder lines(chunk.Begin, chunk.End);
+        LineFinder lines(chunk.End);
         vtkIdType count = 0;
         for (const char* p = chunk.Begin; p != chunk.End; ++count)
         {

@@ -5,6 +5,8 @@
 #include "io/Progress.h"
 #include "io/TextLines.h"
 
+#include <cstddef>
+#include <cstring>
 #include <vector>
 
 namespace spherepacking
@@ -16,8 +18,19 @@ enum class RowKind : unsigned char
   Atom  ///< those that begin with ATOM or HETATM
 };
 
-/// Whether the line [begin, end) holds a sphere.
-bool IsRow(RowKind kind, const char* begin, const char* end);
+/// Whether the line that begins at `begin` holds a sphere. `*end` is a line end, be it of a later
+/// line.
+inline bool IsRow(RowKind kind, const char* begin, const char* end)
+{
+  if (kind == RowKind::Atom)
+  {
+    const auto begins = [&](const char* word, std::ptrdiff_t length)
+    { return end - begin >= length && std::memcmp(begin, word, length) == 0; };
+    return begins("ATOM", 4) || begins("HETATM", 6);
+  }
+  begin = SkipBlanks(begin, end);
+  return *begin != '#' && !IsLineEnd(*begin);
+}
 
 /// Whole lines that one thread parses at a time, with their place in the file and in the output.
 struct TextChunk : TextRange

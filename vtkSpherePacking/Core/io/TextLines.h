@@ -55,21 +55,19 @@ inline const char* SkipLineEnd(const char* p, const char* end)
 class LineFinder
 {
 public:
-  LineFinder(const char* begin, const char* end)
+  explicit LineFinder(const char* end)
     : End(end)
-    , NextLf(Find(begin, '\n'))
-    , NextCr(Find(begin, '\r'))
   {
   }
 
   /// The terminator of the line that `p` lies in, or the end. `p` must not go backwards.
   const char* operator()(const char* p)
   {
-    if (this->NextLf < p)
+    if (!this->NextLf || this->NextLf < p)
     {
       this->NextLf = this->Find(p, '\n');
     }
-    if (this->NextCr < p)
+    if (!this->NextCr || this->NextCr < p)
     {
       this->NextCr = this->Find(p, '\r');
     }
@@ -84,14 +82,14 @@ private:
   }
 
   const char* End;
-  const char* NextLf;
-  const char* NextCr;
+  const char* NextLf = nullptr;
+  const char* NextCr = nullptr;
 };
 
 /// How many line terminators [begin, end) holds.
 inline vtkIdType CountLineEnds(const char* begin, const char* end)
 {
-  LineFinder find(begin, end);
+  LineFinder find(end);
   vtkIdType count = 0;
   for (const char* p = find(begin); p != end; p = find(p))
   {

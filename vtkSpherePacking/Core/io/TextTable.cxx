@@ -17,14 +17,10 @@ struct BadRow
   RowFault Fault{};
 };
 
-// Where the fields of interest begin: an ATOM record has them last, after a varying number of
-// others (T. Dolinsky et al., "PDB2PQR", 2004).
+// Where the fields of interest begin in an ATOM record, which has them last, after a varying
+// number of others (T. Dolinsky et al., "PDB2PQR", 2004).
 const char* FirstField(const TableLayout& layout, const char* begin, const char* end)
 {
-  if (layout.Rows != RowKind::Atom)
-  {
-    return begin;
-  }
   const char* p = end;
   for (std::size_t field = 0; field < layout.Columns.size(); ++field)
   {
@@ -44,15 +40,16 @@ template <typename Parser>
 void ParseChunk(
   const TextChunk& chunk, const TableLayout& layout, const Parser& parser, BadRow& bad)
 {
-  LineFinder find(chunk.Begin, chunk.End);
+  LineFinder find(chunk.End);
   vtkIdType row = chunk.FirstRow;
   for (const char* p = chunk.Begin; p != chunk.End;)
   {
-    const char* end = find(p);
-    if (IsRow(layout.Rows, p, end))
+    const char* end = p;
+    if (IsRow(layout.Rows, p, chunk.End))
     {
-      const char* first = FirstField(layout, p, end);
-      if (!parser.Parse(first, row, bad.Fault))
+      const char* first = layout.Rows == RowKind::Atom ? FirstField(layout, p, find(p)) : p;
+      end = parser.Parse(first, row, bad.Fault);
+      if (!end)
       {
         bad.Line = p;
         bad.Row = first;
@@ -60,7 +57,8 @@ void ParseChunk(
       }
       ++row;
     }
-    p = SkipLineEnd(end, chunk.End);
+    // Parsing leaves off at the line end, except for a comment after the numbers.
+    p = SkipLineEnd(IsLineEnd(*end) ? end : find(end), chunk.End);
   }
 }
 
