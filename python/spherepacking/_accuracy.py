@@ -53,7 +53,7 @@ class Errors:
 def id_colors(count: int) -> NDArray[np.uint8]:
     """Return one RGB colour a sphere from which :func:`read` finds the sphere again."""
     if count >= 1 << 24:
-        msg = f'{count} spheres do not fit into the {(1 << 24) - 1} colours of a picture'
+        msg = f"{count} spheres do not fit into the {(1 << 24) - 1} colours of a picture"
         raise ValueError(msg)
     codes = np.arange(1, count + 1)
     return np.stack([codes & 255, (codes >> 8) & 255, codes >> 16], axis=1).astype(np.uint8)

@@ -51,9 +51,7 @@ def pixel_rays(
     ndc_y = 2.0 * (np.asarray(y) + 0.5) / size[1] - 1.0
     ends = []
     for ndc_z in (-1.0, 1.0):
-        device = np.stack(
-            [ndc_x, ndc_y, np.full_like(ndc_x, ndc_z), np.ones_like(ndc_x)], axis=-1
-        )
+        device = np.stack([ndc_x, ndc_y, np.full_like(ndc_x, ndc_z), np.ones_like(ndc_x)], axis=-1)
         world = device @ from_device.T
         ends.append(world[..., :3] / world[..., 3:])
     return Rays(ends[0], ends[1] - ends[0])
@@ -84,7 +82,10 @@ def depth_values(
 
 
 def _pixel_box(
-    to_device: NDArray[np.float64], center: NDArray[np.float64], radius: float, size: tuple[int, int]
+    to_device: NDArray[np.float64],
+    center: NDArray[np.float64],
+    radius: float,
+    size: tuple[int, int],
 ) -> tuple[int, int, int, int]:
     """Return pixels (x0, x1, y0, y1) outside which the sphere is not seen; generous."""
     corners = center + radius * (np.indices((2, 2, 2)).reshape(3, 8).T * 2.0 - 1.0)

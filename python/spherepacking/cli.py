@@ -65,7 +65,7 @@ def render(
     output
         Picture to write; its extension decides about the format (.png, .exr, .tif, .jpg, ...).
     scalars
-        Array to colour by; the radii if neither this nor --color is given.
+        Array to colour by; the radii, unless all are equal, if neither this nor --color is given.
     cmap
         Colour map, for example viridis.
     clim
@@ -116,6 +116,8 @@ def render(
             plotter.set_background(background)
         if anti_aliasing:
             plotter.enable_anti_aliasing("ssaa")
+        if color is None and scalars is None and _all_alike(spheres):
+            color = plotter.theme.color
         if log_scale is None and color is None and scalars in (None, "radius"):
             log_scale, clim = _radius_scale(spheres, clim)
         plotter.packing.add(
@@ -143,6 +145,12 @@ def render(
         plotter.packing.screenshot(output, transparent_background=transparent)
     finally:
         plotter.close()
+
+
+def _all_alike(packing: object) -> bool:
+    """Whether the radii are equal, so that they give nothing to colour by."""
+    radii = packing.packing.radii
+    return not len(radii) or radii.min() == radii.max()
 
 
 def _radius_scale(

@@ -14,9 +14,11 @@ if TYPE_CHECKING:
 
 
 def write(packing: pv.PolyData, path: str | os.PathLike[str]) -> None:
-    """Write a packing; the extension of `path` decides about the format.
+    """Write a packing in the format of the extension of `path`.
 
-    ``packing.save(path)`` does the same for the extensions that PyVista does not write itself.
+    ``.spheres`` and ``.xyzr`` are text, ``.xyzd`` is binary, ``.txt`` is YADE's text, and ``.csv``
+    also holds the other point arrays. A ``.spheres`` file has the largest sphere first. Numbers
+    read back exactly. ``packing.save(path)`` does the same, except for ``.txt``.
 
     Parameters
     ----------

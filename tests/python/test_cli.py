@@ -177,6 +177,15 @@ def test_render_wide_radii_on_a_logarithmic_scale(tmp_path):
     assert linear[0] < 60
 
 
+def test_equal_radii_are_not_coloured_by(tmp_path):
+    file = tmp_path / "equal.spheres"
+    file.write_text("0 0 0 1\n3 0 0 1\n")
+    words = ("--size", 100, 100)
+    plain = draw(file, *words, "--color", pv.global_theme.color.name)
+    assert np.array_equal(draw(file, *words), plain)
+    assert not np.array_equal(draw(file, *words, "--scalars", "radius"), plain)
+
+
 def test_render_zero_radii(tmp_path):
     file = tmp_path / "zeros.spheres"
     file.write_text("0 0 0 100\n300 0 0 0\n350 0 0 1\n")

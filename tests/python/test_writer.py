@@ -12,16 +12,26 @@ def save(mesh, path):
 
 
 @pytest.mark.parametrize("write", [spherepacking.write, save])
-def test_round_trip_is_exact(tmp_path, rng, write):
+@pytest.mark.parametrize("extension", ["spheres", "xyzr", "xyzd", "csv"])
+def test_round_trip_is_exact(tmp_path, rng, write, extension):
     mesh = pv.PolyData(rng.normal(size=(50, 3)))
-    mesh["radius"] = rng.random(50)
-    write(mesh, tmp_path / "a.spheres")
-    back = pv.read(tmp_path / "a.spheres")
-    order = np.argsort(-mesh["radius"], kind="stable")
-    same = np.array_equal(back["radius"], mesh["radius"])
-    expected = slice(None) if same else order
-    assert np.array_equal(back["radius"], mesh["radius"][expected])
-    assert np.array_equal(back.points, mesh.points[expected])
+    mesh["radius"] = np.sort(rng.random(50))[::-1]
+    write(mesh, tmp_path / f"a.{extension}")
+    back = pv.read(tmp_path / f"a.{extension}")
+    assert np.array_equal(back["radius"], mesh["radius"])
+    assert np.array_equal(back.points, mesh.points)
+
+
+def test_spheres_are_written_largest_first(tmp_path):
+    mesh = packing(2)
+    mesh["radius"] = [1.0, 2.0]
+    spherepacking.write(mesh, tmp_path / "a.spheres")
+    assert spherepacking.read(tmp_path / "a.spheres")["radius"].tolist() == [2.0, 1.0]
+
+
+def test_unknown_extension(tmp_path):
+    with pytest.raises(spherepacking.PackingFileError, match=r"a\.nonsense"):
+        spherepacking.write(packing(), tmp_path / "a.nonsense")
 
 
 def test_what_is_no_packing(tmp_path):
