@@ -31,6 +31,12 @@ if (SPHEREPACKING_VTK_PACKAGE STREQUAL "cvista")
 endif ()
 if (NOT SKBUILD)
   # A plain install stays on this machine: it may name the folder that VTK was linked from. CMake
-  # leaves out what the system's loader finds by itself.
+  # leaves out what the system's loader finds by itself, but also what lies inside the project, as
+  # the SDK in .venv does.
   set(CMAKE_INSTALL_RPATH_USE_LINK_PATH ON)
+  if (SPHEREPACKING_VTK_PACKAGE STREQUAL "cvista")
+    get_target_property(_vtk_library VTK::Common IMPORTED_LOCATION_RELEASE)
+    cmake_path(GET _vtk_library PARENT_PATH _vtk_folder)
+    list(APPEND CMAKE_INSTALL_RPATH "${_vtk_folder}")
+  endif ()
 endif ()
