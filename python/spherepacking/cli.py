@@ -116,7 +116,8 @@ def render(
             plotter.set_background(background)
         if anti_aliasing:
             plotter.enable_anti_aliasing("ssaa")
-        if color is None and scalars is None and _all_alike(spheres):
+        unasked = scalars is None and cmap is None and clim is None
+        if color is None and unasked and _all_alike(spheres):
             color = plotter.theme.color
         if log_scale is None and color is None and scalars in (None, "radius"):
             log_scale, clim = _radius_scale(spheres, clim)
