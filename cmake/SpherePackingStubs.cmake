@@ -16,10 +16,16 @@ function (spherepacking_write_stubs)
     cmake_path(GET _sdk_generator PARENT_PATH _sdk_package)
     cmake_path(GET _sdk_package PARENT_PATH _sdk_site)
     set(_path "${_sdk_site}" "${_path}")
+    # The SDK keeps its libraries apart from its modules, which only look beside themselves.
+    file(GLOB _sdk_libraries LIST_DIRECTORIES true "${_sdk_site}/build/lib.*/cvista")
   endif ()
   set(_modify)
   foreach (_folder IN LISTS _path)
     list(APPEND _modify --modify "PYTHONPATH=path_list_prepend:${_folder}")
+  endforeach ()
+
+  foreach (_folder IN LISTS _sdk_libraries)
+    list(APPEND _modify --modify "LD_LIBRARY_PATH=path_list_prepend:${_folder}")
   endforeach ()
 
   set(_names)

@@ -163,8 +163,8 @@ void vtkSpherePackingInput::ComputeBounds(
   }
   SphereBounds worker;
   vtkDataArray* points = packing->GetPoints()->GetData();
-  using Dispatcher = vtkArrayDispatch::Dispatch2ByValueType<vtkArrayDispatch::Reals,
-    vtkArrayDispatch::AllTypes>;
+  using Dispatcher =
+    vtkArrayDispatch::Dispatch2ByValueType<vtkArrayDispatch::Reals, vtkArrayDispatch::AllTypes>;
   if (!Dispatcher::Execute(points, radii, worker, bounds))
   {
     worker(points, radii, bounds);

@@ -1,3 +1,267 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "vtkOpenGLSpherePackingMapper.h"
+
+#include "vtkOpenGLSpherePackingMapperInternals.h"
+
+#include "vtkActor.h"
+#include "vtkAlgorithm.h"
+#include "vtkCommand.h"
+#include "vtkHardwareSelector.h"
+#include "vtkMath.h"
 #include "vtkObjectFactory.h"
+#include "vtkOpenGLError.h"
+#include "vtkOpenGLIndexBufferObject.h"
+#include "vtkOpenGLResourceFreeCallback.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkOpenGLVertexArrayObject.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+#include "vtk_glad.h"
+
+#include <algorithm>
+
 vtkStandardNewMacro(vtkOpenGLSpherePackingMapper);
+
+namespace
+{
+// Beyond this a point's square wastes more fragments than the quad's set-up costs.
+constexpr float LargestUsefulPoint = 255.0f;
+}
+
+//------------------------------------------------------------------------------
+vtkOpenGLSpherePackingMapper::vtkOpenGLSpherePackingMapper()
+  : Impl(new Internals)
+{
+  this->SetRadiusArrayName("radius");
+  this->InterpolateScalarsBeforeMapping = 0;
+}
+
+//------------------------------------------------------------------------------
+vtkOpenGLSpherePackingMapper::~vtkOpenGLSpherePackingMapper()
+{
+  this->SetRadiusArrayName(nullptr);
+}
+
+//------------------------------------------------------------------------------
+const char* vtkOpenGLSpherePackingMapper::GetErrorMessage() const
+{
+  return this->Impl->ErrorMessage.c_str();
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenGLSpherePackingMapper::Fail(const std::string& message)
+{
+  // Once a cause, not once a frame.
+  if (message != this->Impl->ErrorMessage)
+  {
+    this->Impl->ErrorMessage = message;
+    vtkErrorMacro(<< message);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkOpenGLSpherePackingMapper::PrepareInput()
+{
+  Internals& impl = *this->Impl;
+  vtkPolyData* input = this->CurrentInput;
+  if (impl.CheckedInput == input && impl.CheckTime > input->GetMTime() &&
+    impl.CheckTime > this->GetMTime())
+  {
+    return impl.Radii != nullptr;
+  }
+  impl.Radii = impl.Input->FindRadii(input, this->RadiusArrayName);
+  impl.CheckedInput = input;
+  impl.CheckTime.Modified();
+  if (*impl.Input->GetMessage())
+  {
+    this->Fail(impl.Input->GetMessage());
+  }
+  else
+  {
+    impl.ErrorMessage.clear();
+  }
+  return impl.Radii != nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenGLSpherePackingMapper::ComputeBounds()
+{
+  vtkMath::UninitializeBounds(this->Bounds);
+  this->CurrentInput = this->GetInput();
+  if (this->CurrentInput && this->PrepareInput())
+  {
+    vtkSpherePackingInput::ComputeBounds(this->CurrentInput, this->Impl->Radii, this->Bounds);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenGLSpherePackingMapper::RenderPiece(vtkRenderer* ren, vtkActor* act)
+{
+  if (ren->GetRenderWindow()->CheckAbortStatus())
+  {
+    return;
+  }
+  this->ResourceCallback->RegisterGraphicsResources(
+    static_cast<vtkOpenGLRenderWindow*>(ren->GetRenderWindow()));
+  this->CurrentInput = this->GetInput();
+  if (!this->CurrentInput)
+  {
+    vtkErrorMacro("No input!");
+    return;
+  }
+  this->InvokeEvent(vtkCommand::StartEvent, nullptr);
+  if (!this->Static)
+  {
+    this->GetInputAlgorithm()->Update();
+  }
+  this->InvokeEvent(vtkCommand::EndEvent, nullptr);
+  if (this->PrepareInput())
+  {
+    this->RenderPieceStart(ren, act);
+    this->RenderPieceDraw(ren, act);
+    this->RenderPieceFinish(ren, act);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenGLSpherePackingMapper::RenderPieceStart(vtkRenderer* ren, vtkActor* act)
+{
+  this->Superclass::RenderPieceStart(ren, act);
+  vtkHardwareSelector* selector = ren->GetSelector();
+  if (selector && selector->GetFieldAssociation() == vtkDataObject::FIELD_ASSOCIATION_POINTS)
+  {
+    // VTK picks points against the depth of the last picture. Spheres hide each other, so these
+    // write depth as always.
+    static_cast<vtkOpenGLRenderWindow*>(ren->GetRenderWindow())
+      ->GetState()
+      ->vtkglDepthMask(GL_TRUE);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenGLSpherePackingMapper::BuildBufferObjects(vtkRenderer*, vtkActor*)
+{
+  this->MapScalars(1.0);
+  Internals& impl = *this->Impl;
+  impl.HasColors = this->Colors && this->Colors->GetNumberOfTuples() ==
+    this->CurrentInput->GetNumberOfPoints();
+  const std::vector<vtkSpherePackingVertex> vertices =
+    impl.Vertices.Build(this->CurrentInput, impl.Radii, impl.HasColors ? this->Colors : nullptr);
+  impl.NumberOfVertices = static_cast<vtkIdType>(vertices.size());
+  impl.VertexBuffer->Upload(vertices, vtkOpenGLBufferObject::ArrayBuffer);
+  impl.IdsUploaded = false;
+  impl.BufferTime.Modified();
+  this->VBOBuildTime.Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenGLSpherePackingMapper::RenderPieceDraw(vtkRenderer* ren, vtkActor* act)
+{
+  Internals& impl = *this->Impl;
+  if (!impl.View.Compute(ren, act, impl.Vertices.GetOrigin()))
+  {
+    this->Fail("the actor's matrix stretches or shears; spheres allow rotation, translation and "
+               "uniform scale");
+    return;
+  }
+  GLfloat range[2] = { 1.0f, 1.0f };
+  glGetFloatv(GL_POINT_SIZE_RANGE, range);
+  impl.MaximumPointSize = std::min(range[1], LargestUsefulPoint);
+
+  const bool selecting = ren->GetSelector() != nullptr;
+  if (selecting && !impl.IdsUploaded)
+  {
+    impl.UploadIds();
+  }
+  const bool bothSides =
+    act->IsRenderingTranslucentPolygonalGeometry() && !act->GetProperty()->GetBackfaceCulling() && !selecting;
+  impl.HitMode = bothSides ? Internals::FarHit : Internals::FirstHit;
+  impl.MayBeCut = bothSides || this->GetNumberOfClippingPlanes() > 0 ||
+    !impl.View.HoldsDepthsOf(this->Bounds, impl.Vertices.GetOrigin());
+  this->DrawSpheres(ren, act);
+  if (bothSides)
+  {
+    impl.HitMode = Internals::NearHit;
+    this->DrawSpheres(ren, act);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenGLSpherePackingMapper::DrawSpheres(vtkRenderer* ren, vtkActor* act)
+{
+  Internals& impl = *this->Impl;
+  vtkOpenGLState* state =
+    static_cast<vtkOpenGLRenderWindow*>(ren->GetRenderWindow())->GetState();
+  {
+    vtkOpenGLState::ScopedglEnableDisable saved(state, GL_PROGRAM_POINT_SIZE);
+    state->vtkglEnable(GL_PROGRAM_POINT_SIZE);
+    this->UpdateShaders(this->Primitives[PrimitiveTris], ren, act);
+    glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(impl.NumberOfVertices));
+  }
+
+  const std::vector<vtkSpherePackingQuadVertex> quads =
+    vtkSpherePackingMakeQuads(this->CurrentInput, impl.Radii,
+      impl.HasColors ? this->Colors : nullptr, impl.Vertices, impl.View, impl.MaximumPointSize);
+  if (!quads.empty())
+  {
+    impl.QuadBuffer->Upload(quads, vtkOpenGLBufferObject::ArrayBuffer);
+    this->UpdateShaders(this->Primitives[PrimitiveTriStrips], ren, act);
+    glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(quads.size()));
+  }
+  vtkOpenGLCheckErrorMacro("failed after drawing spheres");
+}
+
+//------------------------------------------------------------------------------
+bool vtkOpenGLSpherePackingMapper::DrawingQuads() const
+{
+  return this->LastBoundBO == &this->Primitives[PrimitiveTriStrips];
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenGLSpherePackingMapper::UpdateMaximumPointCellIds(vtkRenderer* ren, vtkActor*)
+{
+  const vtkIdType last = this->CurrentInput->GetNumberOfPoints() - 1;
+  ren->GetSelector()->UpdateMaximumPointId(last);
+  ren->GetSelector()->UpdateMaximumCellId(last);
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenGLSpherePackingMapper::ProcessSelectorPixelBuffers(
+  vtkHardwareSelector* selector, std::vector<unsigned int>& offsets, vtkProp* prop)
+{
+  // The shader wrote the sphere's id for cells too; the superclass would look it up in the cells.
+  const int pass = selector->GetCurrentPass();
+  if (pass != vtkHardwareSelector::CELL_ID_LOW24 && pass != vtkHardwareSelector::CELL_ID_HIGH24)
+  {
+    this->Superclass::ProcessSelectorPixelBuffers(selector, offsets, prop);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenGLSpherePackingMapper::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Impl->VertexBuffer->ReleaseGraphicsResources();
+  this->Impl->IdBuffer->ReleaseGraphicsResources();
+  this->Impl->QuadBuffer->ReleaseGraphicsResources();
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenGLSpherePackingMapper::ShallowCopy(vtkAbstractMapper* mapper)
+{
+  if (auto* other = vtkOpenGLSpherePackingMapper::SafeDownCast(mapper))
+  {
+    this->SetRadiusArrayName(other->GetRadiusArrayName());
+  }
+  this->Superclass::ShallowCopy(mapper);
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenGLSpherePackingMapper::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "RadiusArrayName: "
+     << (this->RadiusArrayName ? this->RadiusArrayName : "(none)") << "\n";
+}

@@ -1,0 +1,66 @@
+"""The VTK classes of this package, on the VTK that PyVista runs on.
+
+The only module that imports VTK. Two VTKs in one process do not share objects, so the VTK that
+the extension was linked with at build time and the VTK behind PyVista have to be the same one.
+Import from here inside functions, so that a mismatch surfaces as an ImportError where it is
+used, rather than as PyVista's warning about a plugin that failed to load.
+"""
+
+from __future__ import annotations
+
+import importlib
+
+import pyvista as pv
+
+from ._build_config import VTK_ROOT, VTK_VERSION
+
+_NAMES = {
+    "cvista": f"cvista (VTK {VTK_VERSION})",
+    "vtkmodules": f"stock VTK {VTK_VERSION}",
+}
+
+
+def _pyvista_root() -> str:
+    """Top-level package of the VTK that PyVista runs on."""
+    # The root class: cvista's Python overrides of others call themselves vtkmodules' too.
+    root = next(c for c in pv.PolyData.__mro__ if c.__name__ == "vtkObjectBase")
+    return root.__module__.partition(".")[0]
+
+
+def _check(built: str, running: str) -> None:
+    """Raise an ImportError that says what to do unless both roots are the same."""
+    if built == running:
+        return
+    variable = "vtk" if built == "vtkmodules" else built
+    install = "vtk" if built == "vtkmodules" else "'pyvista[cvista]>=0.49'"
+    raise ImportError(
+        f"spherepacking was built with {_NAMES.get(built, built)}, but PyVista runs on {running}. "
+        f"Set the environment variable PYVISTA_VTK_BACKEND={variable} before PyVista is imported "
+        f"(pip install {install} where that VTK is missing), or build spherepacking with the "
+        f"VTK of {running}."
+    )
+
+
+def _load(name: str) -> object:
+    """Import one of the wrapped modules that the build put beside this file."""
+    try:
+        return importlib.import_module(f".{name}", __package__)
+    except ImportError as error:
+        raise ImportError(
+            f"{name} of spherepacking does not load: {error}. It was built with "
+            f"{_NAMES.get(VTK_ROOT, VTK_ROOT)}; install that version or build spherepacking again."
+        ) from error
+
+
+_check(VTK_ROOT, _pyvista_root())
+
+# The rendering backend registers its object factory overrides when it is imported, and the
+# extension's libraries find VTK's through it.
+importlib.import_module(f"{VTK_ROOT}.vtkRenderingOpenGL2")
+_core = _load("vtkSpherePackingCore")
+_rendering = _load("vtkSpherePackingRendering")
+
+vtkSpherePackingInput = _core.vtkSpherePackingInput
+vtkSpherePackingReader = _core.vtkSpherePackingReader
+vtkSpherePackingWriter = _core.vtkSpherePackingWriter
+vtkOpenGLSpherePackingMapper = _rendering.vtkOpenGLSpherePackingMapper

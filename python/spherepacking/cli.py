@@ -1,0 +1,237 @@
+"""The command ``spherepacking``."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import Annotated
+
+from cyclopts import App, CycloptsError, Parameter
+
+Vector = tuple[float, float, float]
+Output = Annotated[Path, Parameter(alias="-o")]
+
+
+def _version() -> str:
+    from . import __version__
+
+    return f"spherepacking {__version__}"
+
+
+app = App(
+    name="spherepacking",
+    help="See sphere packings: exact ray-cast spheres.",
+    version=_version,
+    version_format="plaintext",
+)
+
+
+def _read(path: Path) -> object:
+    from .readers import read
+
+    return read(path, progress=sys.stderr.isatty())
+
+
+@app.command
+def render(
+    packing: Path,
+    /,
+    *,
+    output: Output,
+    scalars: str | None = None,
+    cmap: str | None = None,
+    clim: tuple[float, float] | None = None,
+    log_scale: bool | None = None,
+    color: str | None = None,
+    opacity: float = 1.0,
+    scalar_bar: bool = True,
+    size: tuple[int, int] = (1000, 1000),
+    camera: Vector | None = None,
+    focal: Vector | None = None,
+    up: Vector | None = None,
+    view_angle: float | None = None,
+    zoom: float = 1.0,
+    parallel: bool = False,
+    background: str | None = None,
+    transparent: bool = False,
+    anti_aliasing: bool = True,
+) -> None:
+    """Draw a packing and save the picture.
+
+    Parameters
+    ----------
+    packing
+        File with the packing.
+    output
+        Picture to write; its extension decides about the format (.png, .exr, .tif, .jpg, ...).
+    scalars
+        Array to colour by; the radii, unless all are equal, if neither this nor --color is given.
+    cmap
+        Colour map, for example viridis.
+    clim
+        Range of the scalars that the colour map spans.
+    log_scale
+        Map the scalars logarithmically; by default for radii that span more than a factor of 20.
+    color
+        One colour for all spheres, a name or #rrggbb.
+    opacity
+        From 0 to 1.
+    scalar_bar
+        Show a scalar bar.
+    size
+        Width and height of the picture in pixels.
+    camera
+        Position of the camera; by default the packing fills the picture, seen along (-1, -1, -1).
+    focal
+        Point that the camera looks at; by default the middle of the packing.
+    up
+        Direction that is up in the picture, by default z.
+    view_angle
+        Angle of view from bottom to top in degrees.
+    zoom
+        Enlarge by this factor.
+    parallel
+        Parallel instead of perspective projection.
+    background
+        Colour behind the spheres, a name or #rrggbb.
+    transparent
+        Leave the background transparent.
+    anti_aliasing
+        Smooth edges, by drawing a larger picture and averaging it.
+    """
+    from ._offscreen import choose_window
+    from ._view import aim, fit
+    from .image import check_output
+
+    check_output(output)
+    _check_view(size, zoom, view_angle)
+    choose_window()
+
+    import pyvista as pv
+
+    spheres = _read(packing)
+    plotter = pv.Plotter(off_screen=True, window_size=list(size))
+    try:
+        if background is not None:
+            plotter.set_background(background)
+        if anti_aliasing:
+            plotter.enable_anti_aliasing("ssaa")
+        if color is None and scalars is None and _all_alike(spheres):
+            color = plotter.theme.color
+        if log_scale is None and color is None and scalars in (None, "radius"):
+            log_scale, clim = _radius_scale(spheres, clim)
+        plotter.packing.add(
+            spheres,
+            scalars=scalars,
+            cmap=cmap,
+            clim=clim,
+            log_scale=bool(log_scale),
+            color=color,
+            opacity=opacity,
+            show_scalar_bar=scalar_bar,
+            specular=0.3,
+            specular_power=20.0,
+        )
+        aim(plotter.camera, camera, focal, up)
+        if view_angle is not None:
+            plotter.camera.view_angle = view_angle
+        elif camera is None and focal is None and spheres.n_points:
+            # The scalar bar needs room at the bottom.
+            fit(plotter.camera, spheres, size, 0.78 if scalar_bar and color is None else 0.92)
+        if parallel:
+            plotter.enable_parallel_projection()
+        plotter.camera.zoom(zoom)
+        plotter.renderer.ResetCameraClippingRange()
+        plotter.packing.screenshot(output, transparent_background=transparent)
+    finally:
+        plotter.close()
+
+
+def _all_alike(packing: object) -> bool:
+    """Whether the radii are equal, so that they give nothing to colour by."""
+    radii = packing.packing.radii
+    return not len(radii) or radii.min() == radii.max()
+
+
+def _radius_scale(
+    packing: object, clim: tuple[float, float] | None
+) -> tuple[bool, tuple[float, float] | None]:
+    """Whether the radii call for a logarithmic scale, and the range of the colour map."""
+    radii = packing.packing.radii
+    positive = radii[radii > 0.0]
+    if not positive.size or positive.max() <= 20.0 * positive.min():
+        return False, clim
+    # Zero has no logarithm, and nothing that is drawn has that radius.
+    return True, clim or (float(positive.min()), float(positive.max()))
+
+
+def _check_view(size: tuple[int, int], zoom: float, view_angle: float | None) -> None:
+    if min(size) < 1:
+        raise ValueError(f"--size: found {size[0]} {size[1]}, expected numbers of pixels")
+    if not zoom > 0.0:
+        raise ValueError(f"--zoom: found {zoom}, expected a number above 0")
+    if view_angle is not None and not 0.0 < view_angle < 180.0:
+        raise ValueError(f"--view-angle: found {view_angle}, expected degrees from 0 to 180")
+
+
+@app.command
+def info(packing: Path, /) -> None:
+    """Print count, bounds, radii and volume of a packing.
+
+    Parameters
+    ----------
+    packing
+        File with the packing.
+    """
+    from ._info import describe
+
+    print(describe(_read(packing)))
+
+
+@app.command
+def convert(source: Path, target: Path, /) -> None:
+    """Write a packing in another format.
+
+    Parameters
+    ----------
+    source
+        File with the packing.
+    target
+        File to write; its extension decides about the format.
+    """
+    from .writers import write
+
+    write(_read(source), target)
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Run the command line.
+
+    Parameters
+    ----------
+    arguments : list[str], optional
+        Arguments without the name of the program, by default those of the process.
+
+    Returns
+    -------
+    int
+        Exit status: 0, or 2 after an error, which is told in one line on stderr.
+    """
+    try:
+        app(arguments, exit_on_error=False, print_error=False, result_action="return_value")
+    except (
+        CycloptsError,
+        OSError,
+        ValueError,
+        KeyError,
+        TypeError,
+        ImportError,
+    ) as error:
+        # str() of a KeyError is quoted.
+        text = error.args[0] if isinstance(error, KeyError) else str(error)
+        print(f"spherepacking: {' '.join(str(text).split())}", file=sys.stderr)
+        return 2
+    except KeyboardInterrupt:
+        print("spherepacking: stopped", file=sys.stderr)
+        return 130
+    return 0

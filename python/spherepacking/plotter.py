@@ -1,0 +1,319 @@
+"""The plotter component ``packing``: exact spheres in a PyVista scene."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+import pyvista as pv
+
+from . import _arguments as arguments
+
+if TYPE_CHECKING:
+    import os
+    from collections.abc import Sequence
+
+    from numpy.typing import ArrayLike
+    from pyvista.plotting._typing import ColorLike
+
+
+@pv.register_plotter_component("packing")
+class PackingComponent:
+    """Adds sphere packings to a plotter; every plotter has one as ``plotter.packing``.
+
+    Parameters
+    ----------
+    plotter : pyvista.BasePlotter
+        The plotter to add to.
+
+    Examples
+    --------
+    >>> import pyvista as pv
+    >>> import spherepacking
+    >>> plotter = pv.Plotter(off_screen=True)
+    >>> actor = plotter.packing.add(spherepacking.apollonian(3), cmap="viridis")
+    >>> plotter.close()
+    """
+
+    def __init__(self, plotter: pv.BasePlotter) -> None:
+        self._plotter: pv.BasePlotter | None = plotter
+
+    def __plotter_close__(self) -> None:
+        self._plotter = None
+
+    @property
+    def plotter(self) -> pv.BasePlotter:
+        """The plotter of this component, or a RuntimeError once it has been closed."""
+        if self._plotter is None:
+            raise RuntimeError("this plotter has been closed, make a new one")
+        return self._plotter
+
+    def add(
+        self,
+        packing: pv.PolyData,
+        *,
+        scalars: str | ArrayLike | None = None,
+        cmap: str | list[ColorLike] | pv.LookupTable | None = None,
+        clim: Sequence[float] | float | None = None,
+        color: ColorLike | None = None,
+        opacity: float | str | ArrayLike = 1.0,
+        radius: str | ArrayLike = "radius",
+        name: str | None = None,
+        rgb: bool | None = None,
+        component: int | None = None,
+        n_colors: int = 256,
+        categories: bool | int = False,
+        flip_scalars: bool = False,
+        log_scale: bool = False,
+        annotations: dict[float, str] | None = None,
+        nan_color: ColorLike | None = None,
+        nan_opacity: float = 1.0,
+        below_color: ColorLike | None = None,
+        above_color: ColorLike | None = None,
+        show_scalar_bar: bool | None = None,
+        scalar_bar_args: dict | None = None,
+        lighting: bool | None = None,
+        ambient: float | None = None,
+        diffuse: float | None = None,
+        specular: float | None = None,
+        specular_power: float | None = None,
+        user_matrix: ArrayLike | None = None,
+        pickable: bool = True,
+        reset_camera: bool | None = None,
+        render: bool = True,
+    ) -> pv.Actor:
+        """Add the spheres of a packing to the scene.
+
+        Words shared with :meth:`pyvista.Plotter.add_mesh` mean the same and have the same
+        defaults. The packing is not changed. Arrays given by name stay connected: change them, and
+        the next rendering shows it.
+
+        Parameters
+        ----------
+        packing : pyvista.PolyData
+            Its points (n, 3) are the centres of the spheres. It may be empty.
+        scalars : str or array_like, optional
+            Name of a point array, or an array (n,), (n, 3) or (n, 4), to colour by. If neither
+            `scalars` nor `color` is given, the active point scalars are used; those of a packing
+            that was read from a file are the radii.
+        cmap : str, list or pyvista.LookupTable, optional
+            Colour map of the scalars.
+        clim : sequence of float, optional
+            Range of the scalars that the colour map spans.
+        color : ColorLike, optional
+            One colour for all spheres.
+        opacity : float, str or array_like, default: 1.0
+            From 0 to 1: of all spheres, or one a sphere (n,) or the name of such a point array; or
+            a transfer function along the colour map, as an array or by name.
+        radius : str or array_like, default: "radius"
+            Radii in the unit of the points: the name of a point array, an array (n,), or one
+            number for all spheres. Zero is legal and draws nothing.
+        name : str, optional
+            Name of the actor. An actor of that name is replaced.
+        rgb : bool, optional
+            Take the scalars as colours, (n, 3) or (n, 4), uint8 or floats from 0 to 1. True by
+            default if the name of the scalars ends with ``_rgb`` or ``_rgba``.
+        component : int, optional
+            Component of scalars with several; their magnitude by default.
+        n_colors : int, default: 256
+            Number of colours of the colour map.
+        categories : bool or int, default: False
+            Use as many colours as there are different scalars, or that many.
+        flip_scalars : bool, default: False
+            Turn the colour map round.
+        log_scale : bool, default: False
+            Map scalars logarithmically.
+        annotations : dict[float, str], optional
+            Texts beside values of the scalar bar.
+        nan_color, below_color, above_color : ColorLike, optional
+            Colours of NaN and of scalars outside `clim`.
+        nan_opacity : float, default: 1.0
+            Opacity of spheres whose scalar is NaN.
+        show_scalar_bar : bool, optional
+            Show a scalar bar; by default as the theme says, and not for `rgb`.
+        scalar_bar_args : dict, optional
+            Arguments of :meth:`pyvista.Plotter.add_scalar_bar`.
+        lighting : bool, optional
+            Shade the spheres.
+        ambient, diffuse, specular, specular_power : float, optional
+            Material, see :class:`pyvista.Property`.
+        user_matrix : array_like, optional
+            Transformation (4, 4) of the actor.
+        pickable : bool, default: True
+            Whether the actor can be picked.
+        reset_camera : bool, optional
+            Fit the view to the scene; by default unless the camera has been set.
+        render : bool, default: True
+            Render at once if the plotter is shown already.
+
+        Returns
+        -------
+        pyvista.Actor
+            The actor. Its ``mapper`` behaves like a :class:`pyvista.DataSetMapper`.
+
+        Raises
+        ------
+        KeyError
+            If `radius` or `scalars` names an array that is not there.
+        TypeError
+            If `packing` is no PolyData or the radii are no real numbers.
+        ValueError
+            If there is not one value a sphere, or a radius is negative, infinite or NaN, or
+            another argument is out of its range. Nothing is added then.
+        RuntimeError
+            If the plotter has been closed.
+
+        Examples
+        --------
+        Spheres coloured by height, with a radius of their own each.
+
+        >>> import numpy as np
+        >>> import pyvista as pv
+        >>> rng = np.random.default_rng(0)
+        >>> centres = pv.PolyData(rng.random((100, 3)))
+        >>> plotter = pv.Plotter(off_screen=True)
+        >>> actor = plotter.packing.add(
+        ...     centres, radius=rng.uniform(0.01, 0.1, 100), scalars=centres.points[:, 2]
+        ... )
+        >>> plotter.close()
+        """
+        plotter = self.plotter
+        packing, radius = arguments.radii_of(arguments.packing_of(packing), radius)
+        if scalars is None and color is None and packing.n_points:
+            scalars = packing.point_data.active_scalars_name
+        if isinstance(scalars, str) and rgb is None:
+            rgb = scalars.endswith(("_rgb", "_rgba"))
+        title = {"title": scalars} if isinstance(scalars, str) else {}
+        values, scalars_name = arguments.scalars_of(packing, scalars)
+        if rgb and (values is None or values.ndim != 2 or values.shape[1] not in (3, 4)):
+            found = "no scalars" if values is None else f"scalars of shape {values.shape}"
+            raise ValueError(f"rgb: found {found}, expected shape ({packing.n_points}, 3 or 4)")
+        actor_opacity, opacities, transfer = arguments.opacity_of(
+            packing, opacity, n_colors, mapped=values is not None and not rgb
+        )
+        if color is None or color is True:
+            color = plotter.renderer.next_color
+        bar = {"n_colors": n_colors} if scalar_bar_args is None else dict(scalar_bar_args)
+        bar = title | bar
+
+        # The mapper attaches what it cannot find by name to its dataset.
+        derived = values is not None and (values.ndim != 1 or values.dtype.kind not in "iuf")
+        named = isinstance(scalars, str) or values is None
+        if opacities is not None or not named or (derived and not rgb):
+            packing = packing.copy(deep=False)
+        mapper = _mapper(packing, plotter.theme, radius)
+        if values is not None and len(values):
+            mapper.set_scalars(
+                values,
+                scalars_name,
+                n_colors=n_colors,
+                scalar_bar_args=bar,
+                rgb=rgb,
+                component=component,
+                custom_opac=opacities is not None,
+                annotations=annotations,
+                log_scale=log_scale,
+                nan_color=pv.Color(
+                    nan_color,
+                    opacity=nan_opacity,
+                    default_color=plotter.theme.nan_color,
+                ),
+                above_color=above_color,
+                below_color=below_color,
+                cmap=cmap,
+                flip_scalars=flip_scalars,
+                opacity=opacities if transfer is None else transfer,
+                categories=categories,
+                clim=clim,
+            )
+        elif opacities is not None and len(opacities):
+            mapper.set_custom_opacity(opacities, color=color, n_colors=n_colors)
+        mapper.scalar_visibility = packing.n_points > 0 and (
+            values is not None or opacities is not None
+        )
+
+        actor = pv.Actor(mapper=mapper)
+        if user_matrix is not None:
+            actor.user_matrix = user_matrix
+        actor.prop = pv.Property(
+            theme=plotter.theme,
+            style="surface",
+            interpolation="Phong",
+            show_edges=False,
+            color=color,
+            opacity=1.0 if actor_opacity is None else actor_opacity,
+            lighting=lighting,
+            ambient=ambient,
+            diffuse=diffuse,
+            specular=specular,
+            specular_power=specular_power,
+        )
+        plotter.mesh = packing
+        plotter.mapper = mapper
+        plotter.add_actor(
+            actor,
+            name=name,
+            pickable=pickable,
+            reset_camera=reset_camera,
+            render=False,
+            remove_existing_actor=name is not None,
+        )
+        if show_scalar_bar is None:
+            show_scalar_bar = not rgb and bool(plotter.theme.show_scalar_bar or scalar_bar_args)
+        if show_scalar_bar and mapper.scalar_visibility and values is not None:
+            plotter.add_scalar_bar(mapper=mapper, render=False, **bar)
+        if render:
+            plotter.render()
+        return actor
+
+    def screenshot(
+        self,
+        filename: str | os.PathLike[str],
+        *,
+        transparent_background: bool | None = None,
+        window_size: tuple[int, int] | None = None,
+        scale: int | None = None,
+    ) -> np.ndarray:
+        """Save the view as a picture through OpenImageIO.
+
+        Parameters
+        ----------
+        filename : str or os.PathLike
+            The extension decides about the format: ``.png``, ``.tif``, ``.exr``, ``.jpg``, …
+        transparent_background : bool, optional
+            Save an alpha channel, 0 where there is nothing; by default as the theme says.
+        window_size : tuple[int, int], optional
+            Width and height in pixels.
+        scale : int, optional
+            Factor by which the picture is larger than the window.
+
+        Returns
+        -------
+        numpy.ndarray
+            Pixels (height, width, 3 or 4), uint8.
+
+        Raises
+        ------
+        OSError
+            If the file cannot be written.
+        ValueError
+            If the format is unknown.
+        """
+        from .image import check_output, write_image
+
+        check_output(filename)
+        pixels = self.plotter.screenshot(
+            None,
+            return_img=True,
+            transparent_background=transparent_background,
+            window_size=window_size,
+            scale=scale,
+        )
+        write_image(filename, np.asarray(pixels))
+        return pixels
+
+
+def _mapper(packing: pv.PolyData, theme: object, radius: str) -> object:
+    from .mapper import SpherePackingMapper
+
+    return SpherePackingMapper(packing, theme, radius)

@@ -1,0 +1,80 @@
+"""``PolyData.packing``."""
+
+import numpy as np
+import pytest
+import pyvista as pv
+import spherepacking
+from drawing import packing
+
+
+def test_count_centres_radii():
+    mesh = packing()
+    assert mesh.packing.n_spheres == 3
+    assert np.shares_memory(mesh.packing.centers, mesh.points)
+    assert np.shares_memory(mesh.packing.radii, mesh["radius"])
+
+
+def test_bounds_contain_the_spheres(rng):
+    mesh = pv.PolyData(rng.normal(size=(1000, 3)))
+    mesh["radius"] = rng.random(1000)
+    low = (mesh.points - mesh["radius"][:, None]).min(axis=0)
+    high = (mesh.points + mesh["radius"][:, None]).max(axis=0)
+    expected = np.column_stack([low, high]).ravel()
+    assert np.array(mesh.packing.bounds) == pytest.approx(expected, rel=1e-6)
+
+
+def test_volume():
+    mesh = packing()
+    mesh["radius"] = [1.0, 2.0, 0.0]
+    assert mesh.packing.volume == pytest.approx(4 / 3 * np.pi * 9)
+
+
+def test_no_spheres():
+    mesh = pv.PolyData()
+    assert (mesh.packing.n_spheres, mesh.packing.volume) == (0, 0.0)
+    assert mesh.packing.radii.shape == (0,)
+    assert mesh.packing.bounds == mesh.bounds
+
+
+@pytest.mark.parametrize("name", ["radii", "bounds", "volume"])
+def test_no_radii(name):
+    with pytest.raises(KeyError, match="radius: the packing has no point array 'radius'"):
+        getattr(pv.PolyData(np.eye(3)).packing, name)
+
+
+def test_save(tmp_path):
+    mesh = packing()
+    mesh.packing.save(tmp_path / "a.spheres")
+    back = spherepacking.read(tmp_path / "a.spheres")
+    assert np.array_equal(back.points, mesh.points)
+    assert np.array_equal(back["radius"], mesh["radius"])
+
+
+def test_plot_leaves_a_picture_and_no_window(tmp_path):
+    path = tmp_path / "a.png"
+    packing().packing.plot(
+        off_screen=True,
+        window_size=(120, 90),
+        background="black",
+        color="red",
+        lighting=False,
+        cpos="xy",
+        screenshot=path,
+    )
+    picture = spherepacking.read_image(path)
+    assert picture.shape[:2] == (90, 120)
+    colours = {tuple(c) for c in picture[..., :3].reshape(-1, 3).tolist()}
+    assert {(0, 0, 0), (255, 0, 0)} <= colours
+    assert not pv.plotting.plotter._ALL_PLOTTERS
+
+
+def test_plot_with_an_error_leaves_no_window():
+    with pytest.raises(KeyError, match="radius: the packing has no point array"):
+        pv.PolyData(np.eye(3)).packing.plot(off_screen=True)
+    assert not pv.plotting.plotter._ALL_PLOTTERS
+
+
+def test_plot_with_a_word_that_nobody_knows():
+    with pytest.raises(TypeError, match="colour"):
+        packing().packing.plot(off_screen=True, colour="red")
+    assert not pv.plotting.plotter._ALL_PLOTTERS

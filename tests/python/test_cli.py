@@ -1,0 +1,299 @@
+"""The command ``spherepacking``."""
+
+import os
+import re
+import subprocess
+import sys
+import time
+
+import numpy as np
+import pytest
+import pyvista as pv
+import spherepacking
+from spherepacking.cli import main
+
+COMMANDS = ("render", "info", "convert")
+
+
+@pytest.fixture
+def file(tmp_path):
+    path = tmp_path / "three.spheres"
+    path.write_text("0 0 0 2\n10 0 0 1\n0 0 10 0.5\n")
+    return path
+
+
+def run(*arguments, **environment):
+    return subprocess.run(
+        [sys.executable, "-m", "spherepacking", *map(str, arguments)],
+        env=os.environ | environment,
+        capture_output=True,
+        text=True,
+        timeout=120,
+        check=False,
+    )
+
+
+def draw(file, *arguments):
+    """Run ``render`` in this process and return the picture."""
+    output = file.with_suffix(".png")
+    assert main(["render", str(file), "-o", str(output), *map(str, arguments)]) == 0
+    return spherepacking.read_image(output)
+
+
+def covered(picture):
+    """Return what part of the picture is not black."""
+    return (picture[..., :3].max(axis=-1) > 0).mean()
+
+
+# --- as a process ---------------------------------------------------------------------------------
+
+
+def test_help_is_quick():
+    start = time.perf_counter()
+    result = run("--help")
+    assert time.perf_counter() - start < 1.0
+    assert result.returncode == 0
+    for command in COMMANDS:
+        assert command in result.stdout
+
+
+def test_help_imports_neither_vtk_nor_numpy():
+    code = """
+import sys
+from spherepacking.cli import main
+main(["--help"])
+print([name for name in ("numpy", "pyvista", "cvista", "vtkmodules") if name in sys.modules])
+"""
+    result = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, check=True
+    )
+    assert result.stdout.strip().endswith("[]")
+
+
+def test_version():
+    result = run("--version")
+    assert (result.returncode, result.stdout) == (0, f"spherepacking {spherepacking.__version__}\n")
+
+
+def test_render_as_a_process(file, tmp_path):
+    """Without a display and without a hint, as on a fresh machine."""
+    output = tmp_path / "a.png"
+    result = run("render", file, "-o", output, VTK_DEFAULT_OPENGL_WINDOW="", DISPLAY="")
+    assert (result.returncode, result.stdout, result.stderr) == (0, "", "")
+    assert spherepacking.read_image(output).shape == (1000, 1000, 3)
+
+
+def test_info_as_a_process(file):
+    result = run("info", file, PYTHONIOENCODING="ascii")
+    assert (result.returncode, result.stderr) == (0, "")
+    assert "spheres  3" in result.stdout
+
+
+# --- render ---------------------------------------------------------------------------------------
+
+
+PLAIN = ("--background", "black", "--color", "red", "--size", 200, 100)
+
+
+def test_render_fills_the_picture(file):
+    picture = draw(file, *PLAIN)
+    assert picture.shape == (100, 200, 3)
+    seen = np.argwhere(picture.max(axis=-1) > 0)
+    # 0.92 of the height or of the width, whichever is reached first.
+    extent = np.abs(seen - [49.5, 99.5]).max(axis=0) * 2 / [100, 200]
+    assert extent.max() == pytest.approx(0.92, abs=0.03)
+
+
+@pytest.mark.parametrize("size", [(200, 100), (100, 200), (150, 150)])
+def test_nothing_is_cut_off(file, rng, size):
+    mesh = pv.PolyData(rng.normal(size=(40, 3)) * [1.0, 3.0, 10.0] + 100.0)
+    mesh["radius"] = rng.random(40)
+    mesh.packing.save(file)
+    picture = draw(file, *PLAIN, "--size", *size)
+    border = np.concatenate([picture[0], picture[-1], picture[:, 0], picture[:, -1]])
+    assert border.max() == 0
+    assert covered(picture) > 0.01
+
+
+def test_render_camera(file):
+    """Seen along x from afar, in parallel: the disc of the sphere in front, in the middle."""
+    picture = draw(
+        file, *PLAIN, "--camera", 50, 0, 0, "--focal", 0, 0, 0, "--parallel", "--view-angle", 20
+    )
+    height = 2 * 50 * np.tan(np.radians(10))
+    rows = np.argwhere(picture[:, 100].max(axis=-1) > 0).ravel()
+    assert len(rows) * height / 100 == pytest.approx(4.0, abs=2 * height / 100)
+    assert (rows.min() + rows.max()) / 2 == pytest.approx(49.5, abs=1.0)
+
+
+def test_render_from_above_finds_another_up(file):
+    assert covered(draw(file, *PLAIN, "--camera", 0, 0, 50, "--focal", 0, 0, 0)) > 0.01
+
+
+def test_render_zoom(file):
+    far = covered(draw(file, *PLAIN, "--zoom", 0.5))
+    near = covered(draw(file, *PLAIN, "--zoom", 0.25))
+    assert far / near == pytest.approx(4.0, rel=0.25)
+
+
+def test_render_transparent(file):
+    picture = draw(file, "--transparent", "--color", "red", "--size", 100, 100)
+    assert picture.shape == (100, 100, 4)
+    assert picture[0, 0, 3] == 0
+    assert picture[..., 3].max() == 255
+
+
+def test_render_scalars_and_bar(file):
+    with_bar = draw(file, "--size", 300, 300, "--cmap", "magma")
+    without = draw(file, "--size", 300, 300, "--cmap", "magma", "--no-scalar-bar")
+    assert (with_bar[250:] < 250).any()
+    assert not np.array_equal(with_bar, without)
+
+
+def test_render_opacity(file):
+    solid = draw(file, *PLAIN, "--no-anti-aliasing").max(axis=-1).astype(float)
+    half = draw(file, *PLAIN, "--no-anti-aliasing", "--opacity", 0.5).max(axis=-1).astype(float)
+    seen = solid > 50
+    assert 0.4 < (half[seen] / solid[seen]).mean() < 0.9
+
+
+def test_anti_aliasing_smooths_edges(file):
+    def tones(*arguments):
+        return len(np.unique(draw(file, "--transparent", "--color", "red", *arguments)[..., 3]))
+
+    assert tones("--no-anti-aliasing", "--size", 100, 100) == 2
+    assert tones("--size", 100, 100) > 4
+
+
+def test_render_wide_radii_on_a_logarithmic_scale(tmp_path):
+    """The middle one of three radii with equal ratios has the middle colour."""
+    file = tmp_path / "wide.spheres"
+    file.write_text("0 0 0 100\n300 0 0 10\n350 0 0 1\n")
+    where = ("--camera", 300, -1000, 0, "--focal", 300, 0, 0, "--view-angle", 2)
+    words = ("--cmap", "gray", "--background", "red", "--no-scalar-bar", "--size", 99, 99, *where)
+    middle = draw(file, *words)[49, 49].astype(int)
+    linear = draw(file, *words, "--no-log-scale")[49, 49].astype(int)
+    assert 60 < middle[0] < 200
+    assert linear[0] < 60
+
+
+def test_equal_radii_are_not_coloured_by(tmp_path):
+    file = tmp_path / "equal.spheres"
+    file.write_text("0 0 0 1\n3 0 0 1\n")
+    words = ("--size", 100, 100)
+    plain = draw(file, *words, "--color", pv.global_theme.color.name)
+    assert np.array_equal(draw(file, *words), plain)
+    assert not np.array_equal(draw(file, *words, "--scalars", "radius"), plain)
+
+
+def test_render_zero_radii(tmp_path):
+    file = tmp_path / "zeros.spheres"
+    file.write_text("0 0 0 100\n300 0 0 0\n350 0 0 1\n")
+    assert draw(file, "--size", 50, 50).std() > 5
+
+
+@pytest.mark.parametrize("name", ["deme_TeddyBear.csv", "voronota_3dlb.xyzr", "apbs_achbp.pqr"])
+def test_render_real_input(tmp_path, data_file, name):
+    output = tmp_path / "a.png"
+    assert main(["render", str(data_file(name)), "-o", str(output), "--size", "200", "200"]) == 0
+    assert spherepacking.read_image(output).std() > 20
+
+
+# --- info and convert -----------------------------------------------------------------------------
+
+
+def test_info(file, capsys):
+    assert main(["info", str(file)]) == 0
+    text = capsys.readouterr().out
+    assert "x        -2 .. 11" in text
+    assert "y        -2 .. 2" in text
+    assert "z        -2 .. 10.5" in text
+    assert "radius   0.5 .. 2, median 1" in text
+    assert f"volume   {4 / 3 * np.pi * (8 + 1 + 0.125):.6g}" in text
+
+
+@pytest.mark.parametrize(
+    "radii",
+    [
+        [1.0],
+        [1.0, 1.0, 1.0],
+        [0.0, 0.0],
+        [0.0, 1.0, 2.0],
+        [0.0, 1e-6, 1.0, 3.0],
+        [1e-5] * 9 + [7.0],
+    ],
+)
+def test_histogram_counts_every_sphere_once(tmp_path, capsys, radii):
+    file = tmp_path / "a.spheres"
+    file.write_text("".join(f"0 0 0 {r}\n" for r in radii))
+    assert main(["info", str(file)]) == 0
+    lines = [line for line in capsys.readouterr().out.splitlines() if " .. " in line]
+    bins = [line.split() for line in lines if line.startswith("  ")]
+    assert sum(int(words[3].replace(",", "")) for words in bins) == len(radii)
+    for words in bins:
+        low, high = float(words[0]), float(words[2])
+        assert low <= high
+        inside = sum(low * (1 - 1e-4) <= r <= high * (1 + 1e-4) for r in radii)
+        assert inside >= int(words[3])
+
+
+def test_convert(tmp_path, file):
+    target = tmp_path / "out.spheres"
+    source = tmp_path / "in.csv"
+    source.write_text("x,y,z,d\n1,2,3,4\n")
+    assert main(["convert", str(source), str(target)]) == 0
+    packing = spherepacking.read(target)
+    assert packing.points.tolist() == [[1.0, 2.0, 3.0]]
+    assert packing["radius"].tolist() == [2.0]
+
+
+# --- errors ---------------------------------------------------------------------------------------
+
+
+ERRORS = {
+    "render": "requires an argument",
+    "paint": "paint",
+    "info {good} --nonsense": "--nonsense",
+    "info {none}": "none.spheres",
+    "info {folder}": "is a directory",
+    "info {bad}": "bad.spheres.*line 2",
+    "render {bad} -o {png}": "bad.spheres.*line 2",
+    "render {good} -o {png} --zoom big": "big",
+    "render {good} -o {png} --zoom 0": "--zoom: found 0",
+    "render {good} -o {png} --size 0 5": "--size: found 0 5",
+    "render {good} -o {png} --view-angle 180": "--view-angle: found 180",
+    "render {good} -o {png} --scalars mass": "scalars: .*'mass'",
+    "render {good} -o {png} --color nonsense": "nonsense",
+    "render {good} -o {png} --cmap nonsense": "nonsense",
+    "render {good} -o {png} --opacity 2": "opacity: found 2",
+    "render {good} -o {png} --camera 9 0 0 --focal 9 0 0": "the camera stands where it looks at",
+    "render {good} -o {png} --camera 9 0 0 --focal 0 0 0 --up 1 0 0": "--up: found the direction",
+    "render {good} -o {folder}/a.nonsense": "a.nonsense",
+    "render {good} -o {folder}/no/a.png": "there is no folder",
+    "convert {good} {folder}/a.nonsense": "nonsense",
+    "convert {bad} {folder}/a.spheres": "bad.spheres.*line 2",
+}
+
+
+@pytest.mark.parametrize("line", ERRORS)
+def test_one_line_and_status_2(tmp_path, capfd, line):
+    (tmp_path / "good.spheres").write_text("0 0 0 1\n")
+    (tmp_path / "bad.spheres").write_text("0 0 0 1\n0 0 nan 1\n")
+    names = {name: tmp_path / f"{name}.spheres" for name in ("good", "bad", "none")}
+    names |= {"folder": tmp_path, "png": tmp_path / "a.png"}
+    assert main([word.format_map(names) for word in line.split()]) == 2
+    out, err = capfd.readouterr()
+    assert out == ""
+    assert err.startswith("spherepacking: ")
+    assert err.count("\n") == 1
+    assert re.search(ERRORS[line], err)
+    assert not pv.plotting.plotter._ALL_PLOTTERS
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["bad.spheres", "good.spheres"]
+
+
+def test_status_of_the_process(tmp_path):
+    result = run("info", tmp_path / "none.spheres")
+    assert result.returncode == 2
+    assert result.stdout == ""
+    assert result.stderr.count("\n") == 1
+    assert "Traceback" not in result.stderr

@@ -1,0 +1,124 @@
+"""Pictures through OpenImageIO, checked with Pillow where it reads the format."""
+
+import numpy as np
+import pytest
+import spherepacking
+from spherepacking.image import check_output
+
+pillow = pytest.importorskip("PIL.Image")  # a dependency of PyVista
+
+
+@pytest.mark.parametrize("channels", [1, 3, 4])
+@pytest.mark.parametrize("extension", ["png", "tif"])
+def test_uint8_round_trip(tmp_path, rng, channels, extension):
+    pixels = rng.integers(0, 256, (7, 11, channels), dtype=np.uint8)
+    path = tmp_path / f"picture.{extension}"
+    spherepacking.write_image(path, pixels)
+    assert np.array_equal(spherepacking.read_image(path), pixels)
+
+
+def test_png_is_what_others_read(tmp_path, rng):
+    """Straight alpha: also the colours of transparent pixels survive."""
+    pixels = rng.integers(0, 256, (5, 9, 4), dtype=np.uint8)
+    pixels[0, :, 3] = 0
+    spherepacking.write_image(tmp_path / "a.png", pixels)
+    with pillow.open(tmp_path / "a.png") as picture:
+        assert picture.mode == "RGBA"
+        assert np.array_equal(np.asarray(picture), pixels)
+
+
+def test_reading_what_others_write(tmp_path, rng):
+    pixels = rng.integers(0, 256, (5, 9, 4), dtype=np.uint8)
+    pillow.fromarray(pixels).save(tmp_path / "a.png")
+    assert np.array_equal(spherepacking.read_image(tmp_path / "a.png"), pixels)
+
+
+@pytest.mark.parametrize("dtype", [np.float16, np.float32])
+def test_floats_in_exr(tmp_path, rng, dtype):
+    pixels = rng.normal(0.0, 100.0, (6, 4, 3)).astype(dtype)
+    spherepacking.write_image(tmp_path / "a.exr", pixels)
+    back = spherepacking.read_image(tmp_path / "a.exr")
+    assert back.dtype == dtype
+    assert np.array_equal(back, pixels)
+
+
+def test_floats_in_png_are_rounded_and_clamped(tmp_path):
+    spherepacking.write_image(tmp_path / "a.png", np.array([[-1.0, 0.0, 0.5, 1.0, 7.0]]))
+    back = spherepacking.read_image(tmp_path / "a.png")
+    white = np.iinfo(back.dtype).max
+    assert back.ravel() / white == pytest.approx([0.0, 0.0, 0.5, 1.0, 1.0], abs=1.0 / white)
+
+
+def test_unknown_extension_names_file_and_reason(tmp_path):
+    path = tmp_path / "a.nonsense"
+    for attempt in (check_output, lambda p: spherepacking.write_image(p, np.zeros((2, 2)))):
+        with pytest.raises(ValueError, match=r"a\.nonsense.*nonsense"):
+            attempt(path)
+    assert not path.exists()
+
+
+def test_missing_folder(tmp_path):
+    with pytest.raises(FileNotFoundError, match="there is no folder"):
+        spherepacking.write_image(tmp_path / "none" / "a.png", np.zeros((2, 2)))
+
+
+def test_folder_instead_of_file(tmp_path):
+    (tmp_path / "a.png").mkdir()
+    with pytest.raises(OSError, match=r"a\.png"):
+        spherepacking.write_image(tmp_path / "a.png", np.zeros((2, 2)))
+
+
+def test_reading_no_file(tmp_path):
+    with pytest.raises(FileNotFoundError, match=r"a\.png: no such file"):
+        spherepacking.read_image(tmp_path / "a.png")
+
+
+def test_reading_no_picture(tmp_path):
+    path = tmp_path / "a.png"
+    path.write_text("1 2 3 4\n")
+    with pytest.raises(OSError, match=r"a\.png: the picture cannot be read: \S+"):
+        spherepacking.read_image(path)
+
+
+def test_reading_a_cut_picture(tmp_path, rng):
+    path = tmp_path / "a.png"
+    spherepacking.write_image(path, rng.integers(0, 256, (64, 64, 3), dtype=np.uint8))
+    path.write_bytes(path.read_bytes()[:2000])
+    with pytest.raises(OSError, match=r"a\.png: the picture cannot be read: \S+"):
+        spherepacking.read_image(path)
+
+
+@pytest.mark.parametrize("pixels", [np.zeros(5), np.zeros((2, 2, 2, 2)), np.zeros((0, 4, 3))])
+def test_no_shape_of_a_picture(tmp_path, pixels):
+    with pytest.raises(ValueError, match=r"pixels: found shape .*expected \(height, width"):
+        spherepacking.write_image(tmp_path / "a.png", pixels)
+
+
+@pytest.mark.parametrize("pixels", [np.zeros((2, 2), complex), np.zeros((2, 2), int)])
+def test_no_type_of_a_picture(tmp_path, pixels):
+    with pytest.raises(TypeError, match=r"pixels: found (complex|int)"):
+        spherepacking.write_image(tmp_path / "a.png", pixels)
+
+
+def test_differences_are_those_of_numpy(rng):
+    first = rng.integers(0, 256, (20, 30, 3), dtype=np.uint8)
+    second = rng.integers(0, 256, (20, 30, 3), dtype=np.uint8)
+    error = np.abs(first / 255.0 - second / 255.0)
+    difference = spherepacking.compare_images(first, second)
+    assert difference.mean == pytest.approx(error.mean(), rel=1e-5)
+    assert difference.rms == pytest.approx(np.sqrt((error**2).mean()), rel=1e-5)
+    assert difference.maximum == pytest.approx(error.max(), rel=1e-5)
+    # The peak to signal ratio is a fact about rms and white.
+    assert difference.psnr == pytest.approx(-20.0 * np.log10(difference.rms), abs=0.01)
+
+
+def test_equal_pictures_do_not_differ(rng):
+    pixels = rng.random((8, 8, 4))
+    difference = spherepacking.compare_images(pixels, pixels)
+    assert (difference.mean, difference.rms, difference.maximum) == (0.0, 0.0, 0.0)
+    assert difference.psnr == np.inf
+
+
+def test_shapes_that_differ():
+    with pytest.raises(ValueError, match=r"\(2, 3, 1\) and \(3, 2, 1\)"):
+        spherepacking.compare_images(np.zeros((2, 3)), np.zeros((3, 2)))

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Number_h
+#define Number_h
+
+#include "vtkfast_float.h"
+
+#include <charconv>
+#include <string>
+#include <system_error>
+
+namespace spherepacking
+{
+/**
+ * Reads one number as strtod does in the C locale, whatever the locale is: rounded to the nearest
+ * `T`, ties to even, directly from the digits (D. Lemire, "Number Parsing at a Gigabyte per
+ * Second", 2021). Beyond the range of `T` the value is 0 or infinity. Returns where the number
+ * ends, or null when there is none at `p`. White space is not skipped.
+ */
+template <typename T>
+inline const char* ParseNumber(const char* p, const char* end, T& value)
+{
+  if (p != end && *p == '+')
+  {
+    ++p;
+    if (p != end && *p == '-')
+    {
+      return nullptr;
+    }
+  }
+  const auto result = fast_float::from_chars(p, end, value);
+  return result.ec == std::errc::invalid_argument ? nullptr : result.ptr;
+}
+
+/// The longest text of WriteNumber().
+constexpr int LongestNumber = 32;
+
+/// The shortest digits that read back as `value`, whatever the locale is; returns their end.
+template <typename T>
+inline char* WriteNumber(char* p, T value)
+{
+  return std::to_chars(p, p + LongestNumber, value).ptr;
+}
+
+template <typename T>
+inline std::string NumberText(T value)
+{
+  char text[LongestNumber];
+  return std::string(text, WriteNumber(text, value));
+}
+}
+
+#endif

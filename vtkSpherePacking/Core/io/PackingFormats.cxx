@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/PackingFormats.h"
+
+#include "io/FileBytes.h"
+#include "io/PackingFileError.h"
+#include "io/TextChunks.h"
+#include "io/Utf8Mark.h"
+
+#include "vtkErrorCode.h"
+#include "vtksys/SystemTools.hxx"
+
+#include <map>
+#include <string_view>
+
+namespace spherepacking
+{
+namespace
+{
+bool BeginsWith(std::string_view text, std::string_view word)
+{
+  return text.substr(0, word.size()) == word;
+}
+
+// Lines say what they are by their first words; only YADE writes #format.
+Format FormatOfText(const char* begin, const char* end)
+{
+  LineFinder find(end);
+  for (const char* p = SkipUtf8Mark(begin, end); p != end;)
+  {
+    const char* lineEnd = find(p);
+    const char* word = SkipBlanks(p, lineEnd);
+    const std::string_view line(word, lineEnd - word);
+    if (BeginsWith(line, "ITEM:"))
+    {
+      return Format::Dump;
+    }
+    if (BeginsWith(line, "#format"))
+    {
+      return Format::Yade;
+    }
+    for (const char* record : { "ATOM ", "HETATM", "REMARK", "HEADER" })
+    {
+      if (BeginsWith(line, record))
+      {
+        return Format::Pqr;
+      }
+    }
+    if (!line.empty() && line.front() != '#')
+    {
+      break;
+    }
+    p = SkipLineEnd(lineEnd, end);
+  }
+  return Format::Spheres;
+}
+}
+
+//------------------------------------------------------------------------------
+Format FormatOfExtension(const std::string& file)
+{
+  static const std::map<std::string, Format> formats{ { ".spheres", Format::Spheres },
+    { ".xyzr", Format::Xyzr }, { ".csv", Format::Csv }, { ".xyzd", Format::Xyzd },
+    { ".dump", Format::Dump }, { ".lammpstrj", Format::Dump }, { ".liggghts", Format::Dump },
+    { ".pqr", Format::Pqr }, { ".sph", Format::SphereTree } };
+  const auto found = formats.find(
+    vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(file)));
+  return found == formats.end() ? Format::Auto : found->second;
+}
+
+//------------------------------------------------------------------------------
+Format GuessFormat(const std::string& file)
+{
+  const Format format = FormatOfExtension(file);
+  if (format != Format::Auto && format != Format::SphereTree)
+  {
+    return format;
+  }
+  constexpr unsigned long long head = 1 << 16;
+  const FileBytes bytes = FileBytes::ReadHead(file, head);
+  const Format ofText = FormatOfText(bytes.Begin(), bytes.End());
+  // .sph is also what some name their dumps.
+  return format == Format::SphereTree && ofText != Format::Dump ? format : ofText;
+}
+
+//------------------------------------------------------------------------------
+void ThrowNoSphere(const std::string& file, const std::string& expected)
+{
+  throw PackingFileError(
+    vtkErrorCode::FileFormatError, file + ": holds no sphere, expected " + expected);
+}
+}

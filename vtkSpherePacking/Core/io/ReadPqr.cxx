@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/FileBytes.h"
+#include "io/PackingFormats.h"
+#include "io/TextTable.h"
+#include "io/Utf8Mark.h"
+
+namespace spherepacking
+{
+//------------------------------------------------------------------------------
+// The fields of a PQR record are separated by blanks; the chain is optional, so the five at its
+// end are the ones that are sure.
+PackingArrays ReadPqr(const ReadOptions& options, Progress& progress)
+{
+  progress.SetRange(0.0, 0.2);
+  const FileBytes bytes = FileBytes::Read(options.File, progress);
+  TableLayout layout;
+  layout.Rows = RowKind::Atom;
+  layout.Columns = { { ColumnRole::X, "x" }, { ColumnRole::Y, "y" }, { ColumnRole::Z, "z" },
+    { ColumnRole::Extra, "charge" }, { ColumnRole::Radius, "radius" } };
+  layout.Expected = "a record that ends with x y z charge radius";
+  progress.SetRange(0.2, 0.3);
+  const TextRange text{ SkipUtf8Mark(bytes.Begin(), bytes.End()), bytes.End() };
+  const auto chunks = CutIntoChunks(text, layout.Rows, options.ChunkSize, 0, progress);
+  if (CountRows(chunks) == 0)
+  {
+    ThrowNoSphere(options.File, "ATOM or HETATM records that end with x y z charge radius");
+  }
+  progress.SetRange(0.3, 1.0);
+  return ParseTable(options.File, bytes.End(), layout, chunks, options.Single, progress);
+}
+}

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/FileBytes.h"
+#include "io/PackingFormats.h"
+#include "io/TableDetector.h"
+#include "io/TextTable.h"
+#include "io/Utf8Mark.h"
+
+namespace spherepacking
+{
+//------------------------------------------------------------------------------
+PackingArrays ReadTextTable(const ReadOptions& options, Format format, Progress& progress)
+{
+  progress.SetRange(0.0, 0.2);
+  const FileBytes bytes = FileBytes::Read(options.File, progress);
+  TextRange text{ SkipUtf8Mark(bytes.Begin(), bytes.End()), bytes.End() };
+  const TableLayout layout = DetectTable(options.File, format, text);
+  progress.SetRange(0.2, 0.3);
+  const auto chunks = CutIntoChunks(text, layout.Rows, options.ChunkSize, 0, progress);
+  progress.SetRange(0.3, 1.0);
+  return ParseTable(options.File, bytes.End(), layout, chunks, options.Single, progress);
+}
+}

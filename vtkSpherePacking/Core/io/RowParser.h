@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef RowParser_h
+#define RowParser_h
+
+#include "io/Number.h"
+#include "io/TableLayout.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace spherepacking
+{
+/// What is wrong with a row.
+struct RowFault
+{
+  enum Kind : unsigned char
+  {
+    TooFewColumns,
+    TooManyColumns,
+    NotANumber,
+    NotFinite,
+    Negative
+  };
+  Kind What;
+  int Column;     ///< from 0
+  const char* At; ///< where the offending field begins
+};
+
+/**
+ * Parses rows of one layout into arrays. `Real` is the precision of centres and radii, `Scaled`
+ * says that centres are fractions of the layout's box.
+ */
+template <typename Real, bool Scaled>
+class RowParser
+{
+public:
+  /// `extras` has a pointer for each column whose role is Extra, and null for the others. A column
+  /// of these that turns out not to be numeric has its place in `isText` set.
+  RowParser(const TableLayout& layout, const char* textEnd, Real* centres, Real* radii,
+    std::vector<double*> extras, std::atomic<bool>* isText)
+    : Layout(layout)
+    , Between(layout.Between)
+    , TextEnd(textEnd)
+    , Centres(centres)
+    , Radii(radii)
+    , Extras(std::move(extras))
+    , IsText(isText)
+  {
+    for (const Column& column : layout.Columns)
+    {
+      this->Roles.push_back(column.Role);
+    }
+  }
+
+  /// Parses the row at `p` into place `row`. Returns the line end, or null with `fault` set.
+  const char* Parse(const char* p, vtkIdType row, RowFault& fault) const
+  {
+    const int count = static_cast<int>(this->Roles.size());
+    Coordinate centre[3];
+    p = this->Between.SkipBlanks(p);
+    for (int column = 0; column < count; ++column)
+    {
+      const char* const field = p;
+      // After a delimiter that has to be there even nothing is a field.
+      if (this->Between.EndsLine(*p) && !(this->Between.IsStrict() && column == count - 1))
+      {
+        fault = { RowFault::TooFewColumns, column, p };
+        return nullptr;
+      }
+      const ColumnRole role = this->Roles[column];
+      if (role <= ColumnRole::Z)
+      {
+        p = this->ParseFinite(p, column, centre[static_cast<int>(role)], fault);
+      }
+      else if (role <= ColumnRole::Diameter)
+      {
+        p = this->ParseRadius(p, column, this->Radii[row], fault);
+      }
+      else
+      {
+        p = role == ColumnRole::Extra ? this->ParseExtra(p, column, row) : this->SkipField(p);
+      }
+      if (!p)
+      {
+        return nullptr;
+      }
+      p = this->Between.SkipBlanks(p);
+      if (this->Between.IsDelimiter(*p))
+      {
+        p = this->Between.SkipBlanks(p + 1);
+      }
+      else if (this->Between.IsStrict() && !this->Between.EndsLine(*p))
+      {
+        fault = { RowFault::NotANumber, column, field };
+        return nullptr;
+      }
+      else if (this->Between.IsStrict() && column + 1 < count)
+      {
+        fault = { RowFault::TooFewColumns, column + 1, p };
+        return nullptr;
+      }
+    }
+    if (!this->Between.EndsLine(*p))
+    {
+      fault = { RowFault::TooManyColumns, count, p };
+      return nullptr;
+    }
+    return this->StoreCentre(centre, row, fault) ? p : nullptr;
+  }
+
+private:
+  // Fractions are placed in the box before they are rounded to Real.
+  using Coordinate = std::conditional_t<Scaled, double, Real>;
+
+  // One number in a field of its own. Null when the field is anything else.
+  template <typename T>
+  const char* ParseField(const char* p, T& value) const
+  {
+    const bool quoted = this->Between.IsStrict() && *p == '"';
+    p = ParseNumber(p + quoted, this->TextEnd, value);
+    if (p && quoted)
+    {
+      p = *p == '"' ? p + 1 : nullptr;
+    }
+    return p && this->Between.EndsNumber(*p) ? p : nullptr;
+  }
+
+  template <typename T>
+  const char* ParseFinite(const char* p, int column, T& value, RowFault& fault) const
+  {
+    const char* const end = this->ParseField(p, value);
+    if (!end)
+    {
+      fault = { RowFault::NotANumber, column, p };
+      return nullptr;
+    }
+    if (!(std::abs(value) <= std::numeric_limits<T>::max()))
+    {
+      fault = { RowFault::NotFinite, column, p };
+      return nullptr;
+    }
+    return end;
+  }
+
+  const char* ParseRadius(const char* p, int column, Real& radius, RowFault& fault) const
+  {
+    const char* const end = this->ParseFinite(p, column, radius, fault);
+    if (end && radius < 0)
+    {
+      fault = { RowFault::Negative, column, p };
+      return nullptr;
+    }
+    if (end && this->Roles[column] == ColumnRole::Diameter)
+    {
+      radius *= Real(0.5);
+    }
+    return end;
+  }
+
+  // A missing value is not a number; text makes the whole column text.
+  const char* ParseExtra(const char* p, int column, vtkIdType row) const
+  {
+    double& value = this->Extras[column][row];
+    if (const char* const end = this->ParseField(p, value))
+    {
+      return end;
+    }
+    value = std::numeric_limits<double>::quiet_NaN();
+    const char* const end = this->SkipField(p);
+    if (end != p)
+    {
+      this->IsText[column].store(true, std::memory_order_relaxed);
+    }
+    return end;
+  }
+
+  const char* SkipField(const char* p) const { return this->Between.FieldEnd(p); }
+
+  bool StoreCentre(const Coordinate (&centre)[3], vtkIdType row, RowFault& fault) const
+  {
+    Real* const to = this->Centres + 3 * row;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      if constexpr (Scaled)
+      {
+        const BoxFrame& box = *this->Layout.Box;
+        to[axis] = static_cast<Real>(box.Origin[axis] + centre[0] * box.Edges[0][axis] +
+          centre[1] * box.Edges[1][axis] + centre[2] * box.Edges[2][axis]);
+        if (!std::isfinite(to[axis]))
+        {
+          const auto column =
+            std::find(this->Roles.begin(), this->Roles.end(), static_cast<ColumnRole>(axis));
+          fault = { RowFault::NotFinite, static_cast<int>(column - this->Roles.begin()), nullptr };
+          return false;
+        }
+      }
+      else
+      {
+        to[axis] = centre[axis];
+      }
+    }
+    return true;
+  }
+
+  const TableLayout& Layout;
+  const Separators Between;
+  const char* TextEnd;
+  Real* Centres;
+  Real* Radii;
+  std::vector<double*> Extras;
+  std::atomic<bool>* IsText;
+  std::vector<ColumnRole> Roles;
+};
+}
+
+#endif

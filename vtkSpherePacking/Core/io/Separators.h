@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Separators_h
+#define Separators_h
+
+#include <array>
+#include <string_view>
+#include <vector>
+
+namespace spherepacking
+{
+/**
+ * What stands between the fields of a line, and how to step over fields. Every function stops at a
+ * line end at the latest, so the text must have one.
+ */
+class Separators
+{
+public:
+  /// Blanks, and at most one comma or semicolon among them; a # ends the line.
+  static Separators Liberal() { return Separators(0); }
+
+  /// Exactly one `delimiter` between fields, which may be empty or in double quotes.
+  static Separators Strict(char delimiter) { return Separators(delimiter); }
+
+  bool IsStrict() const { return this->Strictly; }
+  bool IsBlank(char c) const { return this->Of(c) == Kind::Blank; }
+  bool IsDelimiter(char c) const { return this->Of(c) == Kind::Delimiter; }
+  bool EndsLine(char c) const { return this->Of(c) == Kind::End; }
+  bool EndsNumber(char c) const { return this->Of(c) != Kind::Other; }
+
+  const char* SkipBlanks(const char* p) const
+  {
+    while (this->IsBlank(*p))
+    {
+      ++p;
+    }
+    return p;
+  }
+
+  /// The end of the field that begins at `p`, trailing blanks not counted.
+  const char* FieldEnd(const char* p) const
+  {
+    if (!this->Strictly)
+    {
+      while (!this->EndsNumber(*p))
+      {
+        ++p;
+      }
+      return p;
+    }
+    const char* last = p;
+    for (bool quoted = false; !this->EndsLine(*p) && (quoted || !this->IsDelimiter(*p)); ++p)
+    {
+      quoted ^= *p == '"';
+      last = this->IsBlank(*p) ? last : p + 1;
+    }
+    return last;
+  }
+
+  /// All fields of the line at `p`, quotes taken off.
+  std::vector<std::string_view> Split(const char* p) const
+  {
+    std::vector<std::string_view> fields;
+    p = this->SkipBlanks(p);
+    while (!this->EndsLine(*p))
+    {
+      const char* end = this->FieldEnd(p);
+      std::string_view field(p, end - p);
+      if (this->Strictly && field.size() >= 2 && field.front() == '"' && field.back() == '"')
+      {
+        field = field.substr(1, field.size() - 2);
+      }
+      fields.push_back(field);
+      p = this->SkipBlanks(end);
+      if (this->IsDelimiter(*p))
+      {
+        p = this->SkipBlanks(p + 1);
+      }
+    }
+    return fields;
+  }
+
+private:
+  enum class Kind : unsigned char
+  {
+    Other,
+    Blank,
+    Delimiter,
+    End
+  };
+
+  explicit Separators(char delimiter)
+    : Strictly(delimiter != 0)
+  {
+    this->At(' ') = this->At('\t') = Kind::Blank;
+    this->At('\n') = this->At('\r') = Kind::End;
+    if (this->Strictly)
+    {
+      this->At(delimiter) = Kind::Delimiter;
+    }
+    else
+    {
+      this->At(',') = this->At(';') = Kind::Delimiter;
+      this->At('#') = Kind::End;
+    }
+  }
+
+  Kind& At(char c) { return this->Kinds[static_cast<unsigned char>(c)]; }
+  Kind Of(char c) const { return this->Kinds[static_cast<unsigned char>(c)]; }
+
+  std::array<Kind, 256> Kinds{};
+  bool Strictly;
+};
+}
+
+#endif

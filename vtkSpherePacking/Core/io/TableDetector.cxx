@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/TableDetector.h"
+
+#include "io/PackingFileError.h"
+
+#include <algorithm>
+#include <string_view>
+#include <vector>
+
+namespace spherepacking
+{
+namespace
+{
+using Fields = std::vector<std::string_view>;
+
+// The lines that tell the columns.
+struct Head
+{
+  std::string_view YadeNames; // the word after #format
+  TextRange Comment{ nullptr, nullptr, 0 };
+  TextRange Row{ nullptr, nullptr, 0 };
+};
+
+Head FindHead(const std::string& file, const TextRange& text)
+{
+  Head head;
+  LineFinder find(text.End);
+  vtkIdType number = text.FirstLine;
+  for (const char* p = text.Begin; p != text.End; ++number)
+  {
+    const char* end = find(p);
+    const char* first = SkipBlanks(p, end);
+    if (IsRow(RowKind::Data, p, end))
+    {
+      head.Row = { first, end, number };
+      return head;
+    }
+    if (first != end)
+    {
+      const char* words = first;
+      while (words != end && *words == '#')
+      {
+        ++words;
+      }
+      head.Comment = { words, end, number };
+      const Fields fields = Separators::Liberal().Split(words);
+      if (first + 1 == words && fields.size() >= 2 && fields[0] == "format" && *words == 'f')
+      {
+        head.YadeNames = fields[1];
+      }
+    }
+    p = SkipLineEnd(end, text.End);
+  }
+  ThrowNoSphere(file, "lines of x y z radius");
+}
+
+// 1,5 for one and a half: a comma right between digits in a line that has other separators too
+// and no point. Taken as a separator it would pass two numbers off as four.
+bool HasDecimalCommas(const TextRange& row)
+{
+  bool bareComma = false;
+  bool other = false;
+  for (const char* p = row.Begin; p != row.End && *p != '#'; ++p)
+  {
+    const auto digitAt = [&](const char* q)
+    { return q >= row.Begin && q != row.End && *q >= '0' && *q <= '9'; };
+    if (*p == '.')
+    {
+      return false;
+    }
+    const bool bare = *p == ',' && digitAt(p - 1) && digitAt(p + 1);
+    bareComma |= bare;
+    const bool beforeNumber = digitAt(p + 1) || (p + 1 != row.End && (p[1] == '-' || p[1] == '+'));
+    other |= *p == ';' || (!bare && *p == ',') || (IsBlank(*p) && beforeNumber);
+  }
+  return bareComma && other;
+}
+
+// The first of `delimiters` that stands in `header`, or 0.
+char FindDelimiter(const TextRange& header, std::string_view delimiters)
+{
+  for (const char delimiter : delimiters)
+  {
+    if (std::find(header.Begin, header.End, delimiter) != header.End)
+    {
+      return delimiter;
+    }
+  }
+  return 0;
+}
+
+std::vector<Column> ColumnsFromHeader(const std::string& file, const TextRange& line,
+  const Separators& between, std::string_view expected)
+{
+  std::string complaint;
+  const auto columns = ColumnsFromNames(between.Split(line.Begin), complaint);
+  if (!columns)
+  {
+    ThrowAtLine(file, line.FirstLine,
+      "found the columns " + Quote(line.Begin, line.End) + ", expected " + std::string(expected));
+  }
+  if (!complaint.empty())
+  {
+    ThrowAtLine(file, line.FirstLine, complaint);
+  }
+  return *columns;
+}
+
+// Names for `fields` whose sphere is at the given places.
+std::vector<Column> NamelessColumns(const Fields& fields, const std::vector<std::size_t>& sphere)
+{
+  std::vector<Column> columns;
+  for (std::size_t i = 0; i < fields.size(); ++i)
+  {
+    columns.push_back({ ColumnRole::Extra, "column_" + std::to_string(i + 1) });
+  }
+  const Column parts[4] = { { ColumnRole::X, "x" }, { ColumnRole::Y, "y" }, { ColumnRole::Z, "z" },
+    { ColumnRole::Radius, "radius" } };
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    columns[sphere[i]] = parts[i];
+  }
+  return columns;
+}
+
+[[noreturn]] void ThrowTooFew(
+  const std::string& file, const Head& head, std::size_t found, const char* kind)
+{
+  ThrowAtLine(file, head.Row.FirstLine,
+    "found " + std::to_string(found) + kind + (found == 1 ? "column " : "columns ") +
+      Quote(head.Row.Begin, head.Row.End) + ", expected at least 4: x y z radius");
+}
+
+std::vector<Column> FirstFour(const std::string& file, const Head& head, const Fields& fields)
+{
+  if (fields.size() < 4)
+  {
+    ThrowTooFew(file, head, fields.size(), " ");
+  }
+  return NamelessColumns(fields, { 0, 1, 2, 3 });
+}
+
+std::vector<Column> LastFourNumeric(const std::string& file, const Head& head, const Fields& fields)
+{
+  std::vector<std::size_t> numeric;
+  for (std::size_t i = 0; i < fields.size(); ++i)
+  {
+    if (IsNumber(fields[i]))
+    {
+      numeric.push_back(i);
+    }
+  }
+  if (numeric.size() < 4)
+  {
+    ThrowTooFew(file, head, numeric.size(), " numeric ");
+  }
+  return NamelessColumns(fields, { numeric.end() - 4, numeric.end() });
+}
+
+// #format x_y_z_r_attrs names all but the columns that attrs stands for, of which there may be
+// none.
+std::vector<Column> ColumnsOfYade(const std::string& file, const Head& head, const Fields& fields)
+{
+  Fields names;
+  for (std::string_view rest = head.YadeNames; !rest.empty();)
+  {
+    const std::size_t cut = std::min(rest.find('_'), rest.size());
+    names.push_back(rest.substr(0, cut));
+    rest.remove_prefix(std::min(cut + 1, rest.size()));
+  }
+  const bool attributes = !names.empty() && names.back() == "attrs";
+  std::vector<std::string> attributeNames;
+  if (attributes)
+  {
+    names.pop_back();
+    const std::size_t named = names.size();
+    const std::size_t count = fields.size() > named ? fields.size() - named : 0;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      attributeNames.push_back("attrs_" + std::to_string(i + 1));
+    }
+    names.insert(names.end(), attributeNames.begin(), attributeNames.end());
+  }
+  std::string complaint;
+  const auto columns = ColumnsFromNames(names, complaint);
+  if (!columns || !complaint.empty())
+  {
+    ThrowAtLine(file, head.Row.FirstLine,
+      "found rows under '#format " + std::string(head.YadeNames) +
+        "', expected a format such as x_y_z_r or x_y_z_r_matId");
+  }
+  return *columns;
+}
+
+// The columns that a comment names, when there are as many as in a row.
+bool ColumnsFromComment(const Head& head, const Fields& fields, std::vector<Column>& columns)
+{
+  if (!head.Comment.Begin)
+  {
+    return false;
+  }
+  const Fields names = Separators::Liberal().Split(head.Comment.Begin);
+  std::string complaint;
+  auto found = ColumnsFromNames(names, complaint);
+  if (!found || !complaint.empty() || names.size() != fields.size())
+  {
+    return false;
+  }
+  columns = std::move(*found);
+  return true;
+}
+
+void DetectCsv(const std::string& file, const Head& head, TableLayout& layout, TextRange& text)
+{
+  if (const char delimiter = FindDelimiter(head.Row, ";\t,"))
+  {
+    layout.Between = Separators::Strict(delimiter);
+  }
+  const Fields fields = layout.Between.Split(head.Row.Begin);
+  const bool numbers = !fields.empty() &&
+    std::all_of(fields.begin(), fields.end(), [](auto f) { return IsNumber(f); });
+  if (numbers && ColumnsFromComment(head, fields, layout.Columns))
+  {
+    return;
+  }
+  layout.Columns = ColumnsFromHeader(file, head.Row, layout.Between,
+    "a header that names x, y, z and one of r, radius, d, diameter");
+  text = { SkipLineEnd(head.Row.End, text.End), text.End, head.Row.FirstLine + 1 };
+  MarkTextColumns(layout, FindHead(file, text).Row.Begin);
+}
+
+void DetectPlain(
+  const std::string& file, Format format, const Head& head, TableLayout& layout, TextRange& text)
+{
+  const Fields fields = layout.Between.Split(head.Row.Begin);
+  std::string complaint;
+  if (ColumnsFromNames(fields, complaint))
+  {
+    // A header with delimiters is that of a CSV file by another name.
+    if (const char delimiter = FindDelimiter(head.Row, ";,"))
+    {
+      layout.Between = Separators::Strict(delimiter);
+    }
+    layout.Columns = ColumnsFromHeader(file, head.Row, layout.Between, "");
+    text = { SkipLineEnd(head.Row.End, text.End), text.End, head.Row.FirstLine + 1 };
+    MarkTextColumns(layout, FindHead(file, text).Row.Begin);
+    return;
+  }
+  if (HasDecimalCommas(head.Row))
+  {
+    ThrowAtLine(file, head.Row.FirstLine,
+      "found what looks like decimal commas in " + Quote(head.Row.Begin, head.Row.End) +
+        ", expected decimal points");
+  }
+  if (!ColumnsFromComment(head, fields, layout.Columns))
+  {
+    layout.Columns = !head.YadeNames.empty() ? ColumnsOfYade(file, head, fields)
+      : format == Format::Xyzr               ? LastFourNumeric(file, head, fields)
+                                             : FirstFour(file, head, fields);
+  }
+  MarkTextColumns(layout, head.Row.Begin);
+}
+}
+
+//------------------------------------------------------------------------------
+TableLayout DetectTable(const std::string& file, Format format, TextRange& text)
+{
+  const Head head = FindHead(file, text);
+  TableLayout layout;
+  if (format == Format::Csv)
+  {
+    DetectCsv(file, head, layout, text);
+  }
+  else
+  {
+    DetectPlain(file, format, head, layout, text);
+  }
+  layout.Expected = DescribeColumns(layout.Columns);
+  return layout;
+}
+}

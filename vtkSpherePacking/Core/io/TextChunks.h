@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TextChunks_h
+#define TextChunks_h
+
+#include "io/Progress.h"
+#include "io/TextLines.h"
+
+#include <cstddef>
+#include <cstring>
+#include <vector>
+
+namespace spherepacking
+{
+/// Which lines of a text hold a sphere.
+enum class RowKind : unsigned char
+{
+  Data, ///< all but blank ones and those that begin with #
+  Atom  ///< those that begin with ATOM or HETATM
+};
+
+/// Whether the line that begins at `begin` holds a sphere. `*end` is a line end, be it of a later
+/// line.
+inline bool IsRow(RowKind kind, const char* begin, const char* end)
+{
+  if (kind == RowKind::Atom)
+  {
+    const auto begins = [&](const char* word, std::ptrdiff_t length)
+    { return end - begin >= length && std::memcmp(begin, word, length) == 0; };
+    return begins("ATOM", 4) || begins("HETATM", 6);
+  }
+  begin = SkipBlanks(begin, end);
+  return *begin != '#' && !IsLineEnd(*begin);
+}
+
+/// Whole lines that one thread parses at a time, with their place in the file and in the output.
+struct TextChunk : TextRange
+{
+  vtkIdType FirstRow = 0;
+  vtkIdType Rows = 0;
+};
+
+/**
+ * Cuts `text` at line ends into pieces of about `chunkSize` bytes and counts their lines and rows,
+ * so that each can be parsed by itself straight into its place. Rows count from `firstRow` on.
+ * The cuts do not depend on the number of threads.
+ */
+std::vector<TextChunk> CutIntoChunks(
+  const TextRange& text, RowKind kind, vtkIdType chunkSize, vtkIdType firstRow, Progress& progress);
+
+/// The number of rows before and in `chunks`.
+inline vtkIdType CountRows(const std::vector<TextChunk>& chunks)
+{
+  return chunks.empty() ? 0 : chunks.back().FirstRow + chunks.back().Rows;
+}
+}
+
+#endif

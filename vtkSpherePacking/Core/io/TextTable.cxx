@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/TextTable.h"
+
+#include "io/PackingFileError.h"
+#include "io/RowParser.h"
+
+#include <memory>
+
+namespace spherepacking
+{
+namespace
+{
+struct BadRow
+{
+  const char* Line = nullptr;
+  const char* Row = nullptr; // where parsing began, which is not the line for an ATOM record
+  RowFault Fault{};
+};
+
+// Where the fields of interest begin in an ATOM record, which has them last, after a varying
+// number of others (T. Dolinsky et al., "PDB2PQR", 2004).
+const char* FirstField(const TableLayout& layout, const char* begin, const char* end)
+{
+  const char* p = end;
+  for (std::size_t field = 0; field < layout.Columns.size(); ++field)
+  {
+    while (p != begin && IsBlank(p[-1]))
+    {
+      --p;
+    }
+    while (p != begin && !IsBlank(p[-1]))
+    {
+      --p;
+    }
+  }
+  return p;
+}
+
+template <typename Parser>
+void ParseChunk(
+  const TextChunk& chunk, const TableLayout& layout, const Parser& parser, BadRow& bad)
+{
+  LineFinder find(chunk.End);
+  vtkIdType row = chunk.FirstRow;
+  for (const char* p = chunk.Begin; p != chunk.End;)
+  {
+    const char* end = p;
+    if (IsRow(layout.Rows, p, chunk.End))
+    {
+      const char* first = layout.Rows == RowKind::Atom ? FirstField(layout, p, find(p)) : p;
+      end = parser.Parse(first, row, bad.Fault);
+      if (!end)
+      {
+        bad.Line = p;
+        bad.Row = first;
+        return;
+      }
+      ++row;
+    }
+    // Parsing leaves off at the line end, except for a comment after the numbers.
+    p = SkipLineEnd(IsLineEnd(*end) ? end : find(end), chunk.End);
+  }
+}
+
+[[noreturn]] void ThrowBadRow(
+  const std::string& file, const TextChunk& chunk, const TableLayout& layout, const BadRow& bad)
+{
+  const vtkIdType line = chunk.FirstLine + CountLineEnds(chunk.Begin, bad.Line);
+  const RowFault& fault = bad.Fault;
+  if (fault.What == RowFault::TooFewColumns || fault.What == RowFault::TooManyColumns)
+  {
+    const std::size_t found = layout.Between.Split(bad.Row).size();
+    const char* end = bad.Line;
+    while (!IsLineEnd(*end))
+    {
+      ++end;
+    }
+    ThrowAtLine(file, line,
+      "found " + std::to_string(found) + (found == 1 ? " column " : " columns ") +
+        Quote(SkipBlanks(bad.Line, end), end) + ", expected " + layout.Expected);
+  }
+  const Column& column = layout.Columns[fault.Column];
+  // A radius is called one even when the column is called r.
+  const std::string name = column.Role == ColumnRole::Radius ? "radius"
+    : column.Role == ColumnRole::Diameter                    ? "diameter"
+                                                             : column.Name;
+  const std::string field = fault.At ? Quote(fault.At, layout.Between.FieldEnd(fault.At))
+                                     : "a place in the box that is beyond all numbers";
+  const char* expected = fault.What == RowFault::NotANumber ? "a number"
+    : fault.What == RowFault::NotFinite                     ? "a finite number"
+                                                            : "a number that is not negative";
+  // The fields of an ATOM record are counted from its end, so a number would mislead.
+  const std::string place = layout.Rows == RowKind::Atom
+    ? " (" + layout.Expected + ")"
+    : " in column " + std::to_string(fault.Column + 1);
+  ThrowAtLine(file, line, "found " + field + " as " + name + place + ", expected " + expected);
+}
+
+template <typename Real, bool Scaled>
+void ParseInto(PackingArrays& arrays, const std::string& file, const char* textEnd,
+  const TableLayout& layout, const std::vector<TextChunk>& chunks, Progress& progress)
+{
+  const std::size_t columns = layout.Columns.size();
+  std::vector<double*> extras(columns, nullptr);
+  for (std::size_t i = 0; i < columns; ++i)
+  {
+    if (layout.Columns[i].Role == ColumnRole::Extra)
+    {
+      extras[i] = arrays.AddExtra(layout.Columns[i].Name);
+    }
+  }
+  const auto isText = std::make_unique<std::atomic<bool>[]>(columns);
+  const RowParser<Real, Scaled> parser(
+    layout, textEnd, arrays.Centres<Real>(), arrays.Radii<Real>(), extras, isText.get());
+
+  std::vector<BadRow> bad(chunks.size());
+  std::atomic<bool> failed{ false };
+  const auto throwIfFailed = [&]
+  {
+    for (std::size_t i = 0; failed && i < bad.size(); ++i)
+    {
+      if (bad[i].Line)
+      {
+        ThrowBadRow(file, chunks[i], layout, bad[i]);
+      }
+    }
+  };
+  ForInBatches(
+    static_cast<vtkIdType>(chunks.size()), 1, progress,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType i = first; i < last; ++i)
+      {
+        ParseChunk(chunks[i], layout, parser, bad[i]);
+        if (bad[i].Line)
+        {
+          failed = true;
+        }
+      }
+    },
+    throwIfFailed);
+
+  for (std::size_t i = 0; i < columns; ++i)
+  {
+    if (isText[i])
+    {
+      arrays.RemoveExtra(extras[i]);
+    }
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+PackingArrays ParseTable(const std::string& file, const char* textEnd, const TableLayout& layout,
+  const std::vector<TextChunk>& chunks, bool single, Progress& progress)
+{
+  PackingArrays arrays(CountRows(chunks), single);
+  const bool scaled = layout.Box.has_value();
+  const auto parse = single ? (scaled ? ParseInto<float, true> : ParseInto<float, false>)
+                            : (scaled ? ParseInto<double, true> : ParseInto<double, false>);
+  parse(arrays, file, textEnd, layout, chunks, progress);
+  return arrays;
+}
+}

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSpherePackingReader.h"
+
+#include "io/DumpStepCache.h"
+#include "io/PackingFileError.h"
+#include "io/PackingFormats.h"
+#include "io/Progress.h"
+
+#include "vtkDataObject.h"
+#include "vtkErrorCode.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <new>
+#include <vector>
+
+using namespace spherepacking;
+
+static_assert(vtkSpherePackingReader::AUTO == static_cast<int>(Format::Auto) &&
+    vtkSpherePackingReader::XYZD == static_cast<int>(Format::Xyzd) &&
+    vtkSpherePackingReader::SPHERE_TREE == static_cast<int>(Format::SphereTree),
+  "the formats inside and outside go by the same numbers");
+
+class vtkSpherePackingReader::Internals
+{
+public:
+  DumpStepCache Steps;
+};
+
+vtkStandardNewMacro(vtkSpherePackingReader);
+
+//------------------------------------------------------------------------------
+vtkSpherePackingReader::vtkSpherePackingReader()
+  : Internal(new Internals)
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+//------------------------------------------------------------------------------
+vtkSpherePackingReader::~vtkSpherePackingReader()
+{
+  this->SetFileName(nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkSpherePackingReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+  os << indent << "Format: " << this->Format << "\n";
+  os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
+  os << indent << "ChunkSize: " << this->ChunkSize << "\n";
+  os << indent << "ErrorMessage: " << this->ErrorMessage << "\n";
+}
+
+//------------------------------------------------------------------------------
+int vtkSpherePackingReader::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  using SDDP = vtkStreamingDemandDrivenPipeline;
+  vtkInformation* outInfo = outputVector->GetInformationObject(0);
+  outInfo->Remove(SDDP::TIME_STEPS());
+  outInfo->Remove(SDDP::TIME_RANGE());
+  if (!this->FileName)
+  {
+    return 1;
+  }
+  try
+  {
+    const auto format = static_cast<spherepacking::Format>(this->Format);
+    if ((format == Format::Auto ? GuessFormat(this->FileName) : format) != Format::Dump)
+    {
+      return 1;
+    }
+    std::vector<double> times;
+    for (const DumpStep& step : this->Internal->Steps.Find(this->FileName))
+    {
+      times.push_back(step.Time);
+    }
+    const double range[2] = { times.front(), times.back() };
+    outInfo->Set(SDDP::TIME_STEPS(), times.data(), static_cast<int>(times.size()));
+    outInfo->Set(SDDP::TIME_RANGE(), range, 2);
+  }
+  catch (const PackingFileError&)
+  {
+    // RequestData() meets the same error and reports it; here it would be reported twice.
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkSpherePackingReader::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  vtkInformation* outInfo = outputVector->GetInformationObject(0);
+  vtkPolyData* output = vtkPolyData::GetData(outInfo);
+  this->ErrorMessage.clear();
+  this->SetErrorCode(vtkErrorCode::NoError);
+  try
+  {
+    this->ReadFile(outInfo, output);
+    return 1;
+  }
+  catch (const PackingFileError& error)
+  {
+    this->Fail(error.Code, error.what());
+  }
+  catch (const std::bad_alloc&)
+  {
+    this->Fail(vtkErrorCode::UnknownError,
+      std::string(this->FileName) + ": not enough memory for the file and its spheres");
+  }
+  catch (const PackingAborted&)
+  {
+    // Not an error: the pipeline knows, since it asked.
+  }
+  output->Initialize();
+  // The next update tries again. A return of 0 would do that too, but then the executive reports
+  // an error of its own, which says nothing.
+  outInfo->Set(vtkDemandDrivenPipeline::DATA_NOT_GENERATED(), 1);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkSpherePackingReader::ReadFile(vtkInformation* outInfo, vtkPolyData* output)
+{
+  if (!this->FileName || !*this->FileName)
+  {
+    throw PackingFileError(
+      vtkErrorCode::NoFileNameError, "FileName: found none, expected the name of a packing file");
+  }
+  const ReadOptions options{ this->FileName, this->OutputPointsPrecision == SINGLE_PRECISION,
+    this->ChunkSize };
+  spherepacking::Progress progress(this);
+  auto format = static_cast<spherepacking::Format>(this->Format);
+  if (format == Format::Auto)
+  {
+    format = GuessFormat(options.File);
+  }
+  switch (format)
+  {
+    case Format::Xyzd:
+      ReadXyzd(options, progress).MoveTo(output);
+      break;
+    case Format::Pqr:
+      ReadPqr(options, progress).MoveTo(output);
+      break;
+    case Format::SphereTree:
+      ReadSphereTree(options, progress).MoveTo(output);
+      break;
+    case Format::Dump: {
+      using SDDP = vtkStreamingDemandDrivenPipeline;
+      std::optional<double> time;
+      if (outInfo->Has(SDDP::UPDATE_TIME_STEP()))
+      {
+        time = outInfo->Get(SDDP::UPDATE_TIME_STEP());
+      }
+      const DumpStep step = this->Internal->Steps.Choose(options.File, time);
+      ReadDump(options, step, progress).MoveTo(output);
+      output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), step.Time);
+      break;
+    }
+    default:
+      ReadTextTable(options, format, progress).MoveTo(output);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkSpherePackingReader::Fail(unsigned long code, const std::string& message)
+{
+  this->ErrorMessage = message;
+  this->SetErrorCode(code);
+  vtkErrorMacro(<< message);
+}

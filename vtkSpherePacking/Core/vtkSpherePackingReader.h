@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkSpherePackingReader
+ * @brief   read a sphere packing from a file
+ *
+ * The output is a vtkPolyData with a point and a vertex for each sphere and the point array
+ * `radius`, which is its active scalars. Further columns of numbers become point arrays of type
+ * double, named as in the file or else `column_5` and so on; a further column with text in it is
+ * left out. Diameters are halved, never passed as radii.
+ *
+ * | format      | extension                    | content                                          |
+ * |-------------|------------------------------|--------------------------------------------------|
+ * | SPHERES     | .spheres, .txt, any other    | `x y z r` a line                                 |
+ * | XYZR        | .xyzr                        | the last four columns of numbers are the sphere  |
+ * | YADE        | any, with a line `#format`   | `#format x_y_z_r_matId` names the columns        |
+ * | CSV         | .csv                         | a header names x, y, z and r, radius, d, diameter|
+ * | XYZD        | .xyzd                        | little-endian float64 x y z diameter             |
+ * | DUMP        | .dump, .lammpstrj, .liggghts | LAMMPS or LIGGGHTS text dump                     |
+ * | PQR         | .pqr                         | records that end with x y z charge radius        |
+ * | SPHERE_TREE | .sph                         | levels of spheres, with an int array `level`     |
+ *
+ * Text may have blanks, tabs, commas or semicolons between the columns, blank lines, comments that
+ * begin with #, a UTF-8 byte order mark, and lines that end in LF, CR LF or CR. A header, bare or
+ * as the last comment before the first row, names the columns in SPHERES, XYZR and YADE too, when
+ * it has x, y, z and a radius or diameter. In CSV an empty further value is NaN. Numbers are
+ * rounded once, to the precision of the output, as strtod and strtof do, in any locale.
+ *
+ * The diameters of .xyzd are scaled by ((1 - final) / (1 - theoretical porosity))^(1/3) when a
+ * file of the same name with the extension .nfo lies beside it. The steps of a dump are the time
+ * steps of the output; without a request for a time the first is read. Centres xs, ys, zs that
+ * are fractions of the box are placed in it.
+ *
+ * A file that does not fit, in any line, leaves an empty output: one error is reported through
+ * vtkErrorMacro, GetErrorCode() is set, and GetErrorMessage() is the sentence that names the file
+ * and line, what was found and what was expected. Centres have to be finite, radii finite and not
+ * negative; a radius of 0 is legal. A file without spheres is an error.
+ *
+ * Text is parsed in parallel by vtkSMPTools. The peak of memory is the file (of a dump: the step)
+ * and the output.
+ *
+ * @sa vtkSpherePackingWriter, vtkSpherePackingInput
+ */
+#ifndef vtkSpherePackingReader_h
+#define vtkSpherePackingReader_h
+
+#include "vtkPolyDataAlgorithm.h"
+#include "vtkSpherePackingCoreModule.h" // for the export macro
+
+#include <memory> // for std::unique_ptr
+#include <string> // for std::string
+
+class VTKSPHEREPACKINGCORE_EXPORT vtkSpherePackingReader : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkSpherePackingReader* New();
+  vtkTypeMacro(vtkSpherePackingReader, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum FileFormats
+  {
+    AUTO,
+    SPHERES,
+    XYZR,
+    YADE,
+    CSV,
+    XYZD,
+    DUMP,
+    PQR,
+    SPHERE_TREE
+  };
+
+  ///@{
+  /**
+   * The file to read. Default null, with which an update reports an error.
+   */
+  vtkSetFilePathMacro(FileName);
+  vtkGetFilePathMacro(FileName);
+  ///@}
+
+  ///@{
+  /**
+   * The format of the file. Default AUTO: by its extension, or by its content where the extension
+   * says nothing. Values outside of FileFormats are clamped.
+   */
+  vtkSetClampMacro(Format, int, AUTO, SPHERE_TREE);
+  vtkGetMacro(Format, int);
+  ///@}
+
+  ///@{
+  /**
+   * The precision of centres and radii: vtkAlgorithm::DOUBLE_PRECISION or DEFAULT_PRECISION for
+   * double, the default, or vtkAlgorithm::SINGLE_PRECISION for float. Other values are clamped.
+   */
+  vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
+  vtkGetMacro(OutputPointsPrecision, int);
+  ///@}
+
+  ///@{
+  /**
+   * How many bytes of text, at least, a thread parses at a time. From 1 on, default 262144; lower
+   * values are clamped. The output does not depend on it.
+   */
+  vtkSetClampMacro(ChunkSize, vtkIdType, 1, VTK_ID_MAX);
+  vtkGetMacro(ChunkSize, vtkIdType);
+  ///@}
+
+  /**
+   * The error of the last update, in one sentence; empty when there was none.
+   */
+  const char* GetErrorMessage() const { return this->ErrorMessage.c_str(); }
+
+protected:
+  vtkSpherePackingReader();
+  ~vtkSpherePackingReader() override;
+
+  int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+private:
+  vtkSpherePackingReader(const vtkSpherePackingReader&) = delete;
+  void operator=(const vtkSpherePackingReader&) = delete;
+
+  void ReadFile(vtkInformation* outInfo, vtkPolyData* output);
+  void Fail(unsigned long code, const std::string& message);
+
+  char* FileName = nullptr;
+  int Format = AUTO;
+  int OutputPointsPrecision = DOUBLE_PRECISION;
+  vtkIdType ChunkSize = 1 << 18;
+  std::string ErrorMessage;
+
+  class Internals;
+  std::unique_ptr<Internals> Internal;
+};
+
+#endif

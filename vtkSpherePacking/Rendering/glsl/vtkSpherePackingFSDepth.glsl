@@ -1,0 +1,1 @@
+  gl_FragDepth = max(sphereDepth() - depthShift, 0.0);

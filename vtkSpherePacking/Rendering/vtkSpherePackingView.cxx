@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSpherePackingView.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkMath.h"
+#include "vtkMatrix3x3.h"
+#include "vtkMatrix4x4.h"
+#include "vtkOpenGLCamera.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkRenderer.h"
+#include "vtk_glad.h"
+
+#include <algorithm>
+#include <cmath>
+
+VTK_ABI_NAMESPACE_BEGIN
+namespace
+{
+// The scale of a similarity, or 0 when the matrix stretches or shears.
+double SimilarityScale(const std::array<std::array<double, 3>, 3>& rows)
+{
+  const double squared = vtkMath::Dot(rows[0].data(), rows[0].data());
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = i; j < 3; ++j)
+    {
+      const double expected = i == j ? squared : 0.0;
+      if (std::abs(vtkMath::Dot(rows[i].data(), rows[j].data()) - expected) > 1e-6 * squared)
+      {
+        return 0.0;
+      }
+    }
+  }
+  return std::sqrt(squared);
+}
+}
+
+//------------------------------------------------------------------------------
+bool vtkSpherePackingView::Compute(
+  vtkRenderer* renderer, vtkActor* actor, const std::array<double, 3>& origin)
+{
+  auto* camera = static_cast<vtkOpenGLCamera*>(renderer->GetActiveCamera());
+  // These matrices are transposed.
+  vtkMatrix4x4* worldToView;
+  vtkMatrix3x3* normals;
+  vtkMatrix4x4* viewToDevice;
+  vtkMatrix4x4* worldToDevice;
+  camera->GetKeyMatrices(renderer, worldToView, normals, viewToDevice, worldToDevice);
+  double modelToView[16];
+  double transposedView[16];
+  vtkMatrix4x4::Transpose(worldToView->GetData(), transposedView);
+  vtkMatrix4x4::Multiply4x4(transposedView, actor->GetMatrix()->GetData(), modelToView);
+
+  std::array<double, 3> shift;
+  for (int i = 0; i < 3; ++i)
+  {
+    const double* row = modelToView + 4 * i;
+    this->Rows[i] = { row[0], row[1], row[2] };
+    shift[i] = row[3] + vtkMath::Dot(row, origin.data());
+  }
+  this->RadiusScale = SimilarityScale(this->Rows);
+  if (!(this->RadiusScale > 0.0))
+  {
+    return false;
+  }
+  const double squared = this->RadiusScale * this->RadiusScale;
+  for (int j = 0; j < 3; ++j)
+  {
+    this->Eye[j] = -(this->Rows[0][j] * shift[0] + this->Rows[1][j] * shift[1] +
+                     this->Rows[2][j] * shift[2]) /
+      squared;
+  }
+
+  const vtkMatrix4x4* projection = viewToDevice;
+  this->Parallel = camera->GetParallelProjection() != 0;
+  const double p22 = projection->GetElement(2, 2);
+  const double p23 = projection->GetElement(3, 2);
+  if (!camera->GetUseExplicitProjectionTransformMatrix())
+  {
+    camera->GetClippingRange(this->Near, this->Far);
+  }
+  else if (this->Parallel)
+  {
+    this->Near = (p23 + 1.0) / p22;
+    this->Far = (p23 - 1.0) / p22;
+  }
+  else
+  {
+    this->Near = p23 / (p22 - 1.0);
+    this->Far = p23 / (p22 + 1.0);
+  }
+
+  int viewport[4];
+  static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow())
+    ->GetState()
+    ->vtkglGetIntegerv(GL_VIEWPORT, viewport);
+  std::copy_n(viewport, 4, this->Viewport.begin());
+  for (int i = 0; i < 2; ++i)
+  {
+    const double half = 0.5 * this->Viewport[2 + i];
+    const double offset =
+      this->Parallel ? projection->GetElement(3, i) : -projection->GetElement(2, i);
+    this->PixelMap[i] = half * projection->GetElement(i, i);
+    this->PixelMap[2 + i] = half * (1.0 + offset);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+std::array<double, 3> vtkSpherePackingView::ToView(const std::array<double, 3>& model) const
+{
+  const double p[3] = { model[0] - this->Eye[0], model[1] - this->Eye[1],
+    model[2] - this->Eye[2] };
+  return { vtkMath::Dot(this->Rows[0].data(), p), vtkMath::Dot(this->Rows[1].data(), p),
+    vtkMath::Dot(this->Rows[2].data(), p) };
+}
+
+//------------------------------------------------------------------------------
+bool vtkSpherePackingView::HoldsDepthsOf(
+  const double bounds[6], const std::array<double, 3>& origin) const
+{
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    std::array<double, 3> model;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      model[axis] = bounds[2 * axis + ((corner >> axis) & 1)] - origin[axis];
+    }
+    const double depth = -this->ToView(model)[2];
+    if (!(depth >= this->Near && depth <= this->Far))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+std::array<float, 4> vtkSpherePackingView::ToNearPlaneSpace(
+  const double plane[4], const std::array<double, 3>& origin) const
+{
+  const double squared = this->RadiusScale * this->RadiusScale;
+  double normal[3];
+  double constant = plane[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    normal[i] = vtkMath::Dot(this->Rows[i].data(), plane) / squared;
+    constant += plane[i] * (origin[i] + this->Eye[i]);
+  }
+  constant -= normal[2] * this->Near;
+  return { static_cast<float>(normal[0]), static_cast<float>(normal[1]),
+    static_cast<float>(normal[2]), static_cast<float>(constant) };
+}
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the shaders need to know about the camera, in double precision and relative to the
+// packing's origin. Private to the module.
+#ifndef vtkSpherePackingView_h
+#define vtkSpherePackingView_h
+
+#include "vtkABINamespace.h"
+
+#include <array>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkActor;
+class vtkRenderer;
+
+struct vtkSpherePackingView
+{
+  bool Parallel = false;
+  // Model coordinates p (relative to the origin) have view coordinates Rows * (p - Eye).
+  std::array<std::array<double, 3>, 3> Rows;
+  std::array<double, 3> Eye;
+  double RadiusScale = 1.0;
+  double Near = 0.0;
+  double Far = 1.0;
+  // Pixels from the viewport's corner: PixelMap[i] * v_i + PixelMap[i + 2] with i = 0, 1, where v
+  // is the slope x / depth, y / depth of a direction, in parallel views the view position x, y.
+  std::array<double, 4> PixelMap;
+  // x, y, width, height in pixels.
+  std::array<double, 4> Viewport;
+
+  // The view of `actor` through the renderer's active camera into the current GL viewport, or
+  // false when the actor's matrix is no similarity: it would make ellipsoids of spheres.
+  bool Compute(vtkRenderer* renderer, vtkActor* actor, const std::array<double, 3>& origin);
+
+  std::array<double, 3> ToView(const std::array<double, 3>& model) const;
+
+  // Whether all of a box of data coordinates lies between the near and the far plane.
+  bool HoldsDepthsOf(const double bounds[6], const std::array<double, 3>& origin) const;
+
+  // The plane a x + b y + c z + d of data coordinates as coefficients for positions whose z is
+  // relative to the near plane (see vtkSpherePackingFSDeclarations.glsl).
+  std::array<float, 4> ToNearPlaneSpace(
+    const double plane[4], const std::array<double, 3>& origin) const;
+};
+VTK_ABI_NAMESPACE_END
+
+#endif
