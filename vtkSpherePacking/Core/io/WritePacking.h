@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef WritePacking_h
+#define WritePacking_h
+
+#include "io/PackingFormats.h"
+#include "io/Progress.h"
+
+#include "vtkType.h"
+
+#include <string>
+#include <vector>
+
+class vtkDataArray;
+class vtkPolyData;
+
+namespace spherepacking
+{
+/// What to write and how. The radii have been checked and there is at least one sphere.
+struct WriteOptions
+{
+  std::string File;
+  Format Kind = Format::Auto;
+  vtkPolyData* Packing = nullptr;
+  vtkDataArray* Radii = nullptr;
+  bool SortByRadius = true;
+};
+
+/**
+ * Writes the packing, or throws and leaves the file as it was. Numbers get the shortest digits
+ * that read back as the same double, so that they also read back as the same float.
+ */
+void WritePacking(const WriteOptions& options, Progress& progress);
+}
+
+#endif

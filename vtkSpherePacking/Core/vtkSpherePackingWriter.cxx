@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSpherePackingWriter.h"
+
+#include "io/PackingFileError.h"
+#include "io/Progress.h"
+#include "io/WritePacking.h"
+
+#include "vtkErrorCode.h"
+#include "vtkInformation.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkSpherePackingInput.h"
+#include "vtksys/SystemTools.hxx"
+
+using namespace spherepacking;
+
+vtkStandardNewMacro(vtkSpherePackingWriter);
+
+//------------------------------------------------------------------------------
+vtkSpherePackingWriter::vtkSpherePackingWriter()
+{
+  this->SetRadiusArrayName("radius");
+  this->SetNumberOfOutputPorts(0);
+}
+
+//------------------------------------------------------------------------------
+vtkSpherePackingWriter::~vtkSpherePackingWriter()
+{
+  this->SetFileName(nullptr);
+  this->SetRadiusArrayName(nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkSpherePackingWriter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+  os << indent << "Format: " << this->Format << "\n";
+  os << indent << "RadiusArrayName: " << (this->RadiusArrayName ? this->RadiusArrayName : "(none)")
+     << "\n";
+  os << indent << "SortByRadius: " << (this->SortByRadius ? "On" : "Off") << "\n";
+  os << indent << "ErrorMessage: " << this->ErrorMessage << "\n";
+}
+
+//------------------------------------------------------------------------------
+int vtkSpherePackingWriter::Write()
+{
+  // Without this a second Write() of an unchanged packing would do nothing.
+  this->Modified();
+  this->Written = false;
+  this->ErrorMessage.clear();
+  this->SetErrorCode(vtkErrorCode::NoError);
+  if (this->GetNumberOfInputConnections(0) == 0)
+  {
+    this->ErrorMessage = "the writer has no input, expected a packing";
+    this->SetErrorCode(vtkErrorCode::UnknownError);
+    vtkErrorMacro(<< this->ErrorMessage);
+    return 0;
+  }
+  this->Update();
+  return this->Written ? 1 : 0;
+}
+
+//------------------------------------------------------------------------------
+int vtkSpherePackingWriter::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  try
+  {
+    this->WriteFile(vtkPolyData::GetData(inputVector[0]));
+    this->Written = true;
+  }
+  catch (const PackingFileError& error)
+  {
+    this->ErrorMessage = error.what();
+    this->SetErrorCode(error.Code);
+    vtkErrorMacro(<< this->ErrorMessage);
+  }
+  catch (const PackingAborted&)
+  {
+    // Not an error: whoever aborted knows, and Write() returns 0.
+  }
+  // 1 even after an error, since the executive would otherwise report another one.
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkSpherePackingWriter::WriteFile(vtkPolyData* packing)
+{
+  if (!this->FileName || !*this->FileName)
+  {
+    throw PackingFileError(
+      vtkErrorCode::NoFileNameError, "FileName: found none, expected the name of a file to write");
+  }
+  WriteOptions options;
+  options.File = this->FileName;
+  options.Packing = packing;
+  options.SortByRadius = this->SortByRadius;
+  options.Kind = static_cast<spherepacking::Format>(this->Format);
+  if (options.Kind == Format::Auto)
+  {
+    const std::string extension =
+      vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(options.File));
+    options.Kind = extension == ".txt" ? Format::Yade : FormatOfExtension(options.File);
+  }
+  if (options.Kind < Format::Spheres || options.Kind > Format::Xyzd)
+  {
+    throw PackingFileError(vtkErrorCode::UnrecognizedFileTypeError,
+      options.File +
+        ": found a format that cannot be written, expected the extension .spheres, "
+        ".xyzr, .txt, .csv or .xyzd");
+  }
+  vtkNew<vtkSpherePackingInput> input;
+  options.Radii = input->FindRadii(packing, this->RadiusArrayName);
+  if (!options.Radii)
+  {
+    const std::string message = input->GetMessage();
+    throw PackingFileError(vtkErrorCode::UnknownError,
+      options.File + ": " +
+        (message.empty() ? "the packing holds no sphere, expected at least one" : message));
+  }
+  spherepacking::Progress progress(this);
+  WritePacking(options, progress);
+}

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkSpherePackingWriter
+ * @brief   write a sphere packing to a file
+ *
+ * The input is a vtkPolyData with a radius for each point.
+ *
+ * | format  | extension | content                                                               |
+ * |---------|-----------|-----------------------------------------------------------------------|
+ * | SPHERES | .spheres  | `x y z r` a line, largest first                                       |
+ * | XYZR    | .xyzr     | `x y z r` a line                                                      |
+ * | YADE    | .txt      | `#format x_y_z_r`, or `x_y_z_r_matId` with a point array of that name |
+ * | CSV     | .csv      | `x,y,z,radius`, then every other numeric point array, a column for each
+ * component | | XYZD    | .xyzd     | little-endian float64 x y z diameter |
+ *
+ * Only CSV has room for all point arrays; the other formats leave them out. Numbers get the
+ * shortest digits that read back as the same double, which also read back as the same float, in
+ * any locale.
+ *
+ * The file appears under its name only when it is complete: an error, an abort or a full disk
+ * leaves an earlier file of that name as it was. One error is reported through vtkErrorMacro,
+ * GetErrorCode() is set, and GetErrorMessage() is the sentence that names the file or the array,
+ * what was found and what was expected. A packing without spheres is an error.
+ *
+ * It derives from vtkPolyDataAlgorithm rather than from vtkWriter, because what a subclass of
+ * vtkWriter has to override changed between VTK 9.6 and 9.7.
+ *
+ * @sa vtkSpherePackingReader, vtkSpherePackingInput
+ */
+#ifndef vtkSpherePackingWriter_h
+#define vtkSpherePackingWriter_h
+
+#include "vtkPolyDataAlgorithm.h"
+#include "vtkSpherePackingCoreModule.h" // for the export macro
+#include "vtkSpherePackingReader.h"     // for the formats
+
+#include <string> // for std::string
+
+class VTKSPHEREPACKINGCORE_EXPORT vtkSpherePackingWriter : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkSpherePackingWriter* New();
+  vtkTypeMacro(vtkSpherePackingWriter, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The file to write. Default null, with which writing reports an error.
+   */
+  vtkSetFilePathMacro(FileName);
+  vtkGetFilePathMacro(FileName);
+  ///@}
+
+  ///@{
+  /**
+   * The format of the file, one of vtkSpherePackingReader::FileFormats. Default AUTO: by the
+   * extension. Other values are clamped; those that cannot be written are an error on writing.
+   */
+  vtkSetClampMacro(Format, int, vtkSpherePackingReader::AUTO, vtkSpherePackingReader::SPHERE_TREE);
+  vtkGetMacro(Format, int);
+  ///@}
+
+  ///@{
+  /**
+   * The name of the point array with the radii, in the space of the points. Default "radius". An
+   * array that is missing or does not hold radii is an error on writing.
+   */
+  vtkSetStringMacro(RadiusArrayName);
+  vtkGetStringMacro(RadiusArrayName);
+  ///@}
+
+  ///@{
+  /**
+   * Whether SPHERES is written largest first, as readers of that format may rely on; spheres of
+   * one radius keep their order. Default on. Off keeps the order of the points, which the other
+   * formats always do.
+   */
+  vtkSetMacro(SortByRadius, bool);
+  vtkGetMacro(SortByRadius, bool);
+  vtkBooleanMacro(SortByRadius, bool);
+  ///@}
+
+  /**
+   * Writes the file. Returns 1, or 0 after an error or an abort.
+   */
+  int Write();
+
+  /**
+   * The error of the last Write(), in one sentence; empty when there was none.
+   */
+  const char* GetErrorMessage() const { return this->ErrorMessage.c_str(); }
+
+protected:
+  vtkSpherePackingWriter();
+  ~vtkSpherePackingWriter() override;
+
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+private:
+  vtkSpherePackingWriter(const vtkSpherePackingWriter&) = delete;
+  void operator=(const vtkSpherePackingWriter&) = delete;
+
+  void WriteFile(vtkPolyData* packing);
+
+  char* FileName = nullptr;
+  char* RadiusArrayName = nullptr;
+  int Format = vtkSpherePackingReader::AUTO;
+  bool SortByRadius = true;
+  bool Written = false;
+  std::string ErrorMessage;
+};
+
+#endif
