@@ -6,6 +6,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from .accessor import PackingAccessor
+
 if TYPE_CHECKING:
     import pyvista as pv
 
@@ -54,7 +56,8 @@ def describe(packing: pv.PolyData) -> str:
     str
         Several lines, ASCII only.
     """
-    spheres = packing.packing
+    # Not packing.packing: before 0.49, PyVista kept a dataset alive whose accessor had been used.
+    spheres = PackingAccessor(packing)
     lines = [f"spheres  {spheres.n_spheres:,}"]
     if spheres.n_spheres:
         box = np.reshape(spheres.bounds, (3, 2))

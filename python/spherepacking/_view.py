@@ -69,8 +69,8 @@ def fit(camera: pv.Camera, packing: pv.PolyData, size: tuple[int, int], fraction
     right = np.cross(towards, camera.up)
     right /= np.linalg.norm(right)
     axes = np.stack([right, np.cross(right, towards), towards])
-    x, y, depth = axes @ (np.asarray(packing.packing.centers, dtype=float) - eye).T
-    radius = np.asarray(packing.packing.radii, dtype=float)
+    x, y, depth = axes @ (np.asarray(packing.points, dtype=float) - eye).T
+    radius = np.asarray(packing.point_data["radius"], dtype=float)
 
     slope = 0.0
     for across, pixels in ((x, size[0]), (y, size[1])):

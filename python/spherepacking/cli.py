@@ -150,7 +150,7 @@ def render(
 
 def _all_alike(packing: object) -> bool:
     """Whether the radii are equal, so that they give nothing to colour by."""
-    radii = packing.packing.radii
+    radii = packing.point_data["radius"]
     return not len(radii) or radii.min() == radii.max()
 
 
@@ -158,7 +158,7 @@ def _radius_scale(
     packing: object, clim: tuple[float, float] | None
 ) -> tuple[bool, tuple[float, float] | None]:
     """Whether the radii call for a logarithmic scale, and the range of the colour map."""
-    radii = packing.packing.radii
+    radii = packing.point_data["radius"]
     positive = radii[radii > 0.0]
     if not positive.size or positive.max() <= 20.0 * positive.min():
         return False, clim

@@ -108,7 +108,7 @@ def test_render_fills_the_picture(file):
 def test_nothing_is_cut_off(file, rng, size):
     mesh = pv.PolyData(rng.normal(size=(40, 3)) * [1.0, 3.0, 10.0] + 100.0)
     mesh["radius"] = rng.random(40)
-    mesh.packing.save(file)
+    spherepacking.write(mesh, file)
     picture = draw(file, *PLAIN[:-3], "--size", *size)
     border = np.concatenate([picture[0], picture[-1], picture[:, 0], picture[:, -1]])
     assert border.max() == 0

@@ -14,6 +14,10 @@ from spherepacking._progress import progress_bar
 from spherepacking.readers import SpherePackingReader
 
 TEXT = "0 0 0 1\n3.5 0 0.25 0.5\n"
+# Before, entry points named functions: pyvista.read used them, and nothing else of PyVista did.
+reader_classes = pytest.mark.skipif(
+    pv.version_info < (0, 49), reason="PyVista before 0.49 knows no reader classes of others"
+)
 DUMP = """ITEM: TIMESTEP
 {step}
 ITEM: NUMBER OF ATOMS
@@ -55,11 +59,16 @@ def test_read_by_any_name(tmp_path):
 def test_precision(file):
     assert spherepacking.read(file).points.dtype == np.float64
     assert spherepacking.read(file, precision="single").points.dtype == np.float32
-    assert pv.read(file, precision="single").points.dtype == np.float32
     with pytest.raises(ValueError, match="precision is 'half', expected 'single' or 'double'"):
         spherepacking.read(file, precision="half")
 
 
+@reader_classes
+def test_pyvista_sets_the_precision(file):
+    assert pv.read(file, precision="single").points.dtype == np.float32
+
+
+@reader_classes
 def test_get_reader(file):
     reader = pv.get_reader(file)
     assert isinstance(reader, SpherePackingReader)
@@ -88,6 +97,7 @@ def is_ours(point):
     return point.value.startswith("spherepacking.")
 
 
+@reader_classes
 def test_every_extension_is_known_to_pyvista(tmp_path):
     for point in entry_points(group="pyvista.readers"):
         if is_ours(point):
@@ -99,7 +109,7 @@ def test_every_extension_is_known_to_pyvista(tmp_path):
 def test_time_steps_of_a_dump(tmp_path):
     path = tmp_path / "run.dump"
     path.write_text(DUMP.format(step=10) + DUMP.format(step=20))
-    reader = pv.get_reader(path)
+    reader = SpherePackingReader(path)
     assert reader.time_values == [10.0, 20.0]
     assert (reader.number_time_points, reader.active_time_value) == (2, 10.0)
     assert reader.read().points[0, 0] == 10.0
@@ -139,7 +149,7 @@ def test_bad_text_is_one_exception(tmp_path, capfd, read, name):
 
 
 def test_a_reader_works_again_after_an_error(file):
-    reader = pv.get_reader(file)
+    reader = SpherePackingReader(file)
     file.write_text("0 0 0 -1\n")
     with pytest.raises(spherepacking.PackingFileError):
         reader.read()
@@ -168,6 +178,14 @@ def test_directory(tmp_path, capfd, read):
 
 
 def test_progress_bar(file, capfd):
+    reader = SpherePackingReader(file)
+    reader.show_progress()
+    check(reader.read())
+    assert "Reading two.spheres" in capfd.readouterr().err
+
+
+@reader_classes
+def test_progress_bar_of_pyvista(file, capfd):
     check(pv.read(file, progress_bar=True))
     assert "Reading two.spheres" in capfd.readouterr().err
 

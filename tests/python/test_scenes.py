@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 from spherepacking._scenes import knot_tube
+from spherepacking.accessor import PackingAccessor
 
 
 @pytest.mark.parametrize("count", [100, 50_000])
@@ -42,7 +43,7 @@ def test_spheres_stay_in_the_tube():
 
 
 def test_width_is_about_3_4():
-    bounds = np.reshape(knot_tube(50_000).packing.bounds, (3, 2))
+    bounds = np.reshape(PackingAccessor(knot_tube(50_000)).bounds, (3, 2))
     assert np.ptp(bounds, axis=1).max() == pytest.approx(3.3, abs=0.2)
 
 
