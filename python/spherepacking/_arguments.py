@@ -5,7 +5,7 @@ Every check raises one exception whose message starts with the name of the argum
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 import pyvista as pv
@@ -125,6 +125,85 @@ def scalars_of(
     taken = packing.point_data.keys()
     names = (f"{pv.DEFAULT_SCALARS_NAME}{suffix}" for suffix in ["", *range(2, len(taken) + 3)])
     return values, next(name for name in names if name not in taken)
+
+
+class Colouring(NamedTuple):
+    """What gives the spheres their colours.
+
+    Attributes
+    ----------
+    scalars : numpy.ndarray or None
+        One value or row a sphere.
+    name : str
+        Name of the scalars; a free one if they came as an array.
+    rgb : bool
+        Whether the scalars are colours.
+    opacity : float
+        Opacity of the actor.
+    opacities : numpy.ndarray or None
+        Opacity of each sphere (n,) in [0, 1].
+    transfer : numpy.ndarray or None
+        Opacities along the colour map (n_colors,) in [0, 255].
+    attached : bool
+        Whether drawing needs an array that the packing does not have.
+    """
+
+    scalars: np.ndarray | None
+    name: str
+    rgb: bool
+    opacity: float
+    opacities: np.ndarray | None
+    transfer: np.ndarray | None
+    attached: bool
+
+
+def colouring_of(
+    packing: pv.PolyData,
+    scalars: str | ArrayLike | None,
+    rgb: bool | None,
+    opacity: float | str | ArrayLike | None,
+    n_colors: int,
+) -> Colouring:
+    """Check what ``add`` was given to colour by.
+
+    Parameters
+    ----------
+    packing : pyvista.PolyData
+        Centres (n, 3).
+    scalars : str or array_like, optional
+        Name of a point array, or n values or rows.
+    rgb : bool, optional
+        Whether the scalars are colours; by default if their name says so.
+    opacity : float, str, array_like or None
+        See :func:`opacity_of`.
+    n_colors : int
+        Length of the colour map.
+
+    Returns
+    -------
+    Colouring
+        The arguments, checked and sorted out.
+
+    Raises
+    ------
+    KeyError
+        If there is no array of that name.
+    ValueError
+        If a shape or a value is not what it has to be.
+    """
+    values, name = scalars_of(packing, scalars)
+    if rgb is None:
+        rgb = isinstance(scalars, str) and scalars.endswith(("_rgb", "_rgba"))
+    if rgb and (values is None or values.ndim != 2 or values.shape[1] not in (3, 4)):
+        found = "no scalars" if values is None else f"scalars of shape {values.shape}"
+        raise ValueError(f"rgb: found {found}, expected shape ({packing.n_points}, 3 or 4)")
+    mapped = values is not None and not rgb
+    whole, each, transfer = opacity_of(packing, opacity, n_colors, mapped=mapped)
+    # The mapper makes an array of its own of vectors, texts and truth values.
+    derived = mapped and (values.ndim != 1 or values.dtype.kind not in "iuf")
+    unnamed = values is not None and not isinstance(scalars, str)
+    attached = each is not None or unnamed or derived
+    return Colouring(values, name, rgb, 1.0 if whole is None else whole, each, transfer, attached)
 
 
 def opacity_of(

@@ -181,57 +181,37 @@ class PackingComponent:
         packing, radius = arguments.radii_of(arguments.packing_of(packing), radius)
         if scalars is None and color is None and packing.n_points:
             scalars = packing.point_data.active_scalars_name
-        if isinstance(scalars, str) and rgb is None:
-            rgb = scalars.endswith(("_rgb", "_rgba"))
-        title = {"title": scalars} if isinstance(scalars, str) else {}
-        values, scalars_name = arguments.scalars_of(packing, scalars)
-        if rgb and (values is None or values.ndim != 2 or values.shape[1] not in (3, 4)):
-            found = "no scalars" if values is None else f"scalars of shape {values.shape}"
-            raise ValueError(f"rgb: found {found}, expected shape ({packing.n_points}, 3 or 4)")
-        actor_opacity, opacities, transfer = arguments.opacity_of(
-            packing, opacity, n_colors, mapped=values is not None and not rgb
-        )
+        colouring = arguments.colouring_of(packing, scalars, rgb, opacity, n_colors)
+        if colouring.attached:
+            # The mapper adds the arrays to its dataset.
+            packing = packing.copy(deep=False)
         if color is None or color is True:
             color = plotter.renderer.next_color
         bar = {"n_colors": n_colors} if scalar_bar_args is None else dict(scalar_bar_args)
-        bar = title | bar
+        if isinstance(scalars, str):
+            bar.setdefault("title", scalars)
 
-        # The mapper attaches what it cannot find by name to its dataset.
-        derived = values is not None and (values.ndim != 1 or values.dtype.kind not in "iuf")
-        named = isinstance(scalars, str) or values is None
-        if opacities is not None or not named or (derived and not rgb):
-            packing = packing.copy(deep=False)
-        mapper = _mapper(packing, plotter.theme, radius)
-        if values is not None and len(values):
-            mapper.set_scalars(
-                values,
-                scalars_name,
-                n_colors=n_colors,
-                scalar_bar_args=bar,
-                rgb=rgb,
-                component=component,
-                custom_opac=opacities is not None,
-                annotations=annotations,
-                log_scale=log_scale,
-                nan_color=pv.Color(
-                    nan_color,
-                    opacity=nan_opacity,
-                    default_color=plotter.theme.nan_color,
-                ),
-                above_color=above_color,
-                below_color=below_color,
-                cmap=cmap,
-                flip_scalars=flip_scalars,
-                opacity=opacities if transfer is None else transfer,
-                categories=categories,
-                clim=clim,
-            )
-        elif opacities is not None and len(opacities):
-            mapper.set_custom_opacity(opacities, color=color, n_colors=n_colors)
-        mapper.scalar_visibility = packing.n_points > 0 and (
-            values is not None or opacities is not None
+        mapper = _mapper(
+            packing,
+            plotter.theme,
+            radius,
+            colouring,
+            color,
+            n_colors=n_colors,
+            scalar_bar_args=bar,
+            component=component,
+            annotations=annotations,
+            log_scale=log_scale,
+            nan_color=pv.Color(
+                nan_color, opacity=nan_opacity, default_color=plotter.theme.nan_color
+            ),
+            above_color=above_color,
+            below_color=below_color,
+            cmap=cmap,
+            flip_scalars=flip_scalars,
+            categories=categories,
+            clim=clim,
         )
-
         actor = pv.Actor(mapper=mapper)
         if user_matrix is not None:
             actor.user_matrix = user_matrix
@@ -241,7 +221,7 @@ class PackingComponent:
             interpolation="Phong",
             show_edges=False,
             color=color,
-            opacity=1.0 if actor_opacity is None else actor_opacity,
+            opacity=colouring.opacity,
             lighting=lighting,
             ambient=ambient,
             diffuse=diffuse,
@@ -259,8 +239,9 @@ class PackingComponent:
             remove_existing_actor=name is not None,
         )
         if show_scalar_bar is None:
-            show_scalar_bar = not rgb and bool(plotter.theme.show_scalar_bar or scalar_bar_args)
-        if show_scalar_bar and mapper.scalar_visibility and values is not None:
+            wanted = plotter.theme.show_scalar_bar or scalar_bar_args
+            show_scalar_bar = bool(wanted) and not colouring.rgb
+        if show_scalar_bar and mapper.scalar_visibility and colouring.scalars is not None:
             plotter.add_scalar_bar(mapper=mapper, render=False, **bar)
         if render:
             plotter.render()
@@ -313,7 +294,37 @@ class PackingComponent:
         return pixels
 
 
-def _mapper(packing: pv.PolyData, theme: object, radius: str) -> object:
+def _mapper(
+    packing: pv.PolyData,
+    theme: object,
+    radius: str,
+    colouring: arguments.Colouring,
+    color: ColorLike,
+    *,
+    n_colors: int,
+    **words: object,
+) -> object:
+    """Make the mapper; `words` are those of :meth:`pyvista.DataSetMapper.set_scalars`."""
     from .mapper import SpherePackingMapper
 
-    return SpherePackingMapper(packing, theme, radius)
+    mapper = SpherePackingMapper(packing, theme, radius)
+    mapper.scalar_visibility = False
+    # The range of no scalars is not defined.
+    if not packing.n_points:
+        return mapper
+    if colouring.scalars is not None:
+        opacities = colouring.opacities
+        mapper.set_scalars(
+            colouring.scalars,
+            colouring.name,
+            n_colors=n_colors,
+            rgb=colouring.rgb,
+            custom_opac=opacities is not None,
+            opacity=colouring.transfer if opacities is None else opacities,
+            **words,
+        )
+        mapper.scalar_visibility = True
+    elif colouring.opacities is not None:
+        mapper.set_custom_opacity(colouring.opacities, color=color, n_colors=n_colors)
+        mapper.scalar_visibility = True
+    return mapper
