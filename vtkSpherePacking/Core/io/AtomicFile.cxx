@@ -26,7 +26,8 @@ AtomicFile::AtomicFile(const std::string& file)
       vtkErrorCode::CannotOpenFileError, file + ": found a directory, expected a file to write");
   }
   // A device or a pipe would be replaced by the rename.
-  if (SystemTools::PathExists(this->Target) && !SystemTools::FileExists(this->Target, true))
+  if (SystemTools::PathExists(this->Target) &&
+    !std::filesystem::is_regular_file(std::filesystem::u8path(this->Target)))
   {
     throw PackingFileError(vtkErrorCode::CannotOpenFileError,
       file + ": found something that is no regular file, expected one or none");

@@ -13,6 +13,7 @@
 #include <atomic>
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 
 namespace spherepacking
 {
@@ -48,6 +49,12 @@ unsigned long long FileBytes::Size(const std::string& path)
   {
     throw PackingFileError(
       vtkErrorCode::CannotOpenFileError, path + ": found a directory, expected a file");
+  }
+  // Opening a pipe would wait for somebody to write into it.
+  if (!std::filesystem::is_regular_file(std::filesystem::u8path(path)))
+  {
+    throw PackingFileError(vtkErrorCode::CannotOpenFileError,
+      path + ": found a pipe or a device, expected a regular file");
   }
   errno = 0;
   const vtksys::ifstream stream(path.c_str(), std::ios::in | std::ios::binary);

@@ -56,7 +56,7 @@ public:
       }
       else
       {
-        this->Step("the value of " + std::string(title));
+        this->Step("the value of " + this->QuoteLine());
       }
     }
     if (header.Count < 0)

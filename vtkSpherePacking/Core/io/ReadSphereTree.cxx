@@ -120,7 +120,7 @@ private:
   {
     if (!this->NextRow())
     {
-      this->ThrowAtEnd("'" + std::string(this->Row.Begin, this->Row.End) + "'", what);
+      this->ThrowAtEnd(Quote(this->Row.Begin, this->Row.End), what);
     }
     const double count = this->ReadNumbers(1, what);
     constexpr double most = 9007199254740992.0; // 2^53, beyond which a double skips integers

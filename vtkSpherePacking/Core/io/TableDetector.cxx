@@ -68,10 +68,9 @@ bool HasDecimalCommas(const TextRange& row)
     {
       return false;
     }
-    const bool bare = *p == ',' && digitAt(p - 1) && digitAt(p + 1);
-    bareComma |= bare;
+    bareComma |= *p == ',' && digitAt(p - 1) && digitAt(p + 1);
     const bool beforeNumber = digitAt(p + 1) || (p + 1 != row.End && (p[1] == '-' || p[1] == '+'));
-    other |= *p == ';' || (!bare && *p == ',') || (IsBlank(*p) && beforeNumber);
+    other |= *p == ';' || (IsBlank(*p) && beforeNumber);
   }
   return bareComma && other;
 }
@@ -186,8 +185,9 @@ std::vector<Column> ColumnsOfYade(const std::string& file, const Head& head, con
   if (!columns || !complaint.empty())
   {
     ThrowAtLine(file, head.Row.FirstLine,
-      "found rows under '#format " + std::string(head.YadeNames) +
-        "', expected a format such as x_y_z_r or x_y_z_r_matId");
+      "found rows under #format " +
+        Quote(head.YadeNames.data(), head.YadeNames.data() + head.YadeNames.size()) +
+        ", expected a format such as x_y_z_r or x_y_z_r_matId");
   }
   return *columns;
 }

@@ -4,6 +4,8 @@
 #include "io/Number.h"
 #include "io/PackingFileError.h"
 
+#include "vtk_utf8.h"
+
 #include <algorithm>
 #include <array>
 #include <map>
@@ -25,6 +27,18 @@ ColumnRole RoleOfName(std::string_view name)
   const auto found = roles.find(lower);
   return found == roles.end() ? ColumnRole::Extra : found->second;
 }
+
+// The name of an array has to be UTF-8; bytes of another encoding are spelt out.
+std::string ArrayName(std::string_view name)
+{
+  const auto isControl = [](char c) { return c >= 0 && c < ' '; };
+  if (utf8::is_valid(name.begin(), name.end()) && std::none_of(name.begin(), name.end(), isControl))
+  {
+    return std::string(name);
+  }
+  const std::string quoted = Quote(name.data(), name.data() + name.size());
+  return quoted.substr(1, quoted.size() - 2);
+}
 }
 
 //------------------------------------------------------------------------------
@@ -40,7 +54,7 @@ std::optional<std::vector<Column>> ColumnsFromNames(
     {
       ++count[static_cast<int>(role)];
     }
-    columns.push_back({ role, std::string(name) });
+    columns.push_back({ role, ArrayName(name) });
   }
   const auto has = [&](ColumnRole role) { return count[static_cast<int>(role)] > 0; };
   if (!has(ColumnRole::X) || !has(ColumnRole::Y) || !has(ColumnRole::Z) ||

@@ -30,14 +30,14 @@ struct WrittenColumn
 };
 
 // A name as a field of a CSV header.
-std::string CsvField(const std::string& name)
+std::string CsvField(const std::string& file, const std::string& name)
 {
   if (name.find_first_of(",;\t\"\r\n") == std::string::npos)
   {
     return name;
   }
   throw PackingFileError(vtkErrorCode::FileFormatError,
-    "the point array " + Quote(name.data(), name.data() + name.size()) +
+    file + ": the point array " + Quote(name.data(), name.data() + name.size()) +
       " has a separator, a quote or a line end in its name, expected none, since it goes into the "
       "header of a CSV file");
 }
@@ -64,8 +64,8 @@ std::vector<WrittenColumn> ChooseColumns(const WriteOptions& options)
     }
     for (int c = 0; options.Kind == Format::Csv && c < components; ++c)
     {
-      columns.push_back(
-        { array, c, CsvField(components == 1 ? name : name + "_" + std::to_string(c)) });
+      columns.push_back({ array, c,
+        CsvField(options.File, components == 1 ? name : name + "_" + std::to_string(c)) });
     }
   }
   return columns;
@@ -145,8 +145,8 @@ void AppendBytes(std::string& bytes, const std::vector<WrittenColumn>& columns,
   if (!std::isfinite(values[3]))
   {
     throw PackingFileError(vtkErrorCode::FileFormatError,
-      options.File + ": found the radius " + NumberText(0.5 * values[3]) + " at point " +
-        std::to_string(sphere) + ", expected one whose diameter is finite");
+      options.File + ": found the radius " + NumberText(options.Radii->GetComponent(sphere, 0)) +
+        " at point " + std::to_string(sphere) + ", expected one whose diameter is finite");
   }
   vtkByteSwap::SwapLERange(values, 4);
   bytes.append(reinterpret_cast<const char*>(values), sizeof(values));

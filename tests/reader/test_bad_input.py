@@ -1,0 +1,375 @@
+"""Every bad input: one message with file, line, what was found, what was expected; no output."""
+
+import os
+import struct
+
+import pytest
+
+NOT_FOUND, CANNOT_OPEN, END_OF_FILE, FORMAT = 20001, 20002, 20004, 20005
+
+# name of the case: (file name, content, line, found, expected)
+TEXTS = {
+    "words": ("p.spheres", "hello big wide world\n", 1, "'hello' as x", "a number"),
+    "one word": ("p.spheres", "hello\n", 1, "1 column 'hello'", "at least 4: x y z radius"),
+    "words later": (
+        "p.spheres",
+        "0 0 0 1\n\n# c\n1 2 three 4\n",
+        4,
+        "'three' as z in column 3",
+        "a number",
+    ),
+    "three columns": (
+        "p.spheres",
+        "# c\n0 1 2\n",
+        2,
+        "3 columns '0 1 2'",
+        "at least 4: x y z radius",
+    ),
+    "three columns later": (
+        "p.spheres",
+        "0 0 0 1\n0 1 2\n",
+        2,
+        "3 columns '0 1 2'",
+        "4 columns: x y z radius",
+    ),
+    "five columns later": (
+        "p.spheres",
+        "0 0 0 1\n0 1 2 3 4\n",
+        2,
+        "5 columns '0 1 2 3 4'",
+        "4 columns",
+    ),
+    "nan centre": (
+        "p.spheres",
+        "0 0 0 1\r\n0 nan 0 1\r\n",
+        2,
+        "'nan' as y in column 2",
+        "a finite number",
+    ),
+    "nan radius": ("p.spheres", "0 0 0 NaN\n", 1, "'NaN' as radius in column 4", "a finite number"),
+    "infinite centre": ("p.spheres", "0 0 -inf 1\n", 1, "'-inf' as z", "a finite number"),
+    "infinite radius": (
+        "p.spheres",
+        "0 0 0 Infinity\n",
+        1,
+        "'Infinity' as radius",
+        "a finite number",
+    ),
+    "too large": ("p.spheres", "0 0 0 1\n1e400 0 0 1\n", 2, "'1e400' as x", "a finite number"),
+    "negative radius": (
+        "p.spheres",
+        "0 0 0 1\r0 0 0 -0.5\r",
+        2,
+        "'-0.5' as radius",
+        "not negative",
+    ),
+    "number and letters": ("p.spheres", "0 0 0 1mm\n", 1, "'1mm' as radius", "a number"),
+    "two signs": ("p.spheres", "0 +-1 0 1\n", 1, "'+-1' as y", "a number"),
+    "unfinished exponent": ("p.spheres", "0 1e 0 1\n", 1, "'1e' as y", "a number"),
+    "hexadecimal": ("p.spheres", "0 0x10 0 1\n", 1, "'0x10' as y", "a number"),
+    "decimal commas": (
+        "p.spheres",
+        "0,5 1,0 -2,0 0,1\n",
+        1,
+        "decimal commas in '0,5 1,0 -2,0 0,1'",
+        "decimal points",
+    ),
+    "decimal commas after semicolons": (
+        "p.spheres",
+        "1,5;2,5;3,5;1\n",
+        1,
+        "decimal commas",
+        "decimal points",
+    ),
+    "two separators": ("p.spheres", "1,,2,3,4\n", 1, "'' as y", "a number"),
+    "zero byte": ("p.spheres", "0 0 0 1\n0 0 0\0 1\n", 2, r"'0\x00' as z", "a number"),
+    "long rubbish": (
+        "p.spheres",
+        "0 0 0 " + "9" * 5000 + "x\n",
+        1,
+        "'" + "9" * 40 + "...'",
+        "a number",
+    ),
+    "utf-16": ("p.spheres", "0 0 0 1\n".encode("utf-16"), 1, r"'\xff\xfe0\x00", "expected"),
+    "only comments": ("p.spheres", "# nothing\n\n", None, "no sphere", "lines of x y z radius"),
+    "only blanks": ("p.spheres", "\n \t\n", None, "no sphere", "lines of x y z radius"),
+    "only a header": ("p.spheres", "x y z r\n", None, "no sphere", "lines of x y z radius"),
+    "xyzr, three numbers": (
+        "p.xyzr",
+        "A N 1 2 3\n",
+        1,
+        "3 numeric columns 'A N 1 2 3'",
+        "at least 4",
+    ),
+    "xyzr, text for a number": (
+        "p.xyzr",
+        "A 1 2 3 4\nA 1 2 B 4\n",
+        2,
+        "'B' as z in column 4",
+        "a number",
+    ),
+    "yade, no radius": ("p.txt", "#format x_y_z\n1 2 3\n", 2, "#format 'x_y_z'", "x_y_z_r"),
+    "yade, too few": (
+        "p.txt",
+        "#format x_y_z_r_matId\n1 2 3 4\n",
+        2,
+        "4 columns '1 2 3 4'",
+        "5 columns: x y z r matId",
+    ),
+    "csv, no header": (
+        "p.csv",
+        "1,2,3,4\n",
+        1,
+        "'1,2,3,4'",
+        "a header that names x, y, z and one of r, radius, d, diameter",
+    ),
+    "csv, no radius": (
+        "p.csv",
+        "x,y,z,mass\n1,2,3,4\n",
+        1,
+        "'x,y,z,mass'",
+        "one of r, radius, d, diameter",
+    ),
+    "csv, no centre": ("p.csv", "x,y,r\n1,2,3\n", 1, "'x,y,r'", "a header that names x, y, z"),
+    "csv, twice": ("p.csv", "x,y,z,r,Radius\n1,2,3,4,5\n", 1, "'r' and 'Radius'", "each name once"),
+    "csv, array twice": ("p.csv", "x,y,z,r,m,m\n1,2,3,4,5,6\n", 1, "'m' and 'm'", "each name once"),
+    "csv, empty value": (
+        "p.csv",
+        "x,y,z,r\n1,2,3,4\n1,,3,4\n",
+        3,
+        "'' as y in column 2",
+        "a number",
+    ),
+    "csv, empty radius": ("p.csv", "x,y,z,r\n1,2,3,\n", 2, "'' as radius in column 4", "a number"),
+    "csv, too few": ("p.csv", "x,y,z,r\n1,2,3\n", 2, "3 columns '1,2,3'", "4 columns: x y z r"),
+    "csv, too many": (
+        "p.csv",
+        "x,y,z,r\n1,2,3,4,5\n",
+        2,
+        "5 columns '1,2,3,4,5'",
+        "4 columns: x y z r",
+    ),
+    "csv, decimal commas": ("p.csv", "x;y;z;r\n1,5;2;3;4\n", 2, "'1,5' as x", "a number"),
+    "csv, two in one": ("p.csv", "x,y,z,r\n1 2,3,4,5\n", 2, "'1 2' as x", "a number"),
+    "csv, open quote": ("p.csv", 'x,y,z,r\n1,2,3,"4\n', 2, "'\"4' as radius", "a number"),
+    "csv, negative diameter": (
+        "p.csv",
+        "x,y,z,d\n1,2,3,-4\n",
+        2,
+        "'-4' as diameter",
+        "not negative",
+    ),
+    "csv, no row": ("p.csv", "x,y,z,r\n", None, "no sphere", "lines"),
+    "pqr, no atom": ("p.pqr", "REMARK 1\nEND\n", None, "no sphere", "ATOM or HETATM records"),
+    "pqr, no radius": ("p.pqr", "ATOM 1 N GLY A 1.0 2.0 3.0 0.5\n", 1, "'A' as x", "a number"),
+    "pqr, short": ("p.pqr", "REMARK\nATOM 1 2\n", 2, "'ATOM' as x", "a number"),
+    "pqr, negative": (
+        "p.pqr",
+        "ATOM 1 N GLY 1 1 2 3 0.5 -1\n",
+        1,
+        "'-1' as radius",
+        "not negative",
+    ),
+    "sph, few": (
+        "p.sph",
+        "1 2\n1\n2\n0 0 0 1\n",
+        4,
+        "end of the file after 1 spheres in level 1",
+        "2 as its count says",
+    ),
+    "sph, many": (
+        "p.sph",
+        "1 2\n1\n1\n0 0 0 1\n0 0 0 2\n",
+        5,
+        "'0 0 0 2' after the last level",
+        "1 levels",
+    ),
+    "sph, count between": (
+        "p.sph",
+        "1 2\n2\n1\n0 0 0 1\n0 0 0 2\n",
+        5,
+        "'0 0 0 2'",
+        "number of spheres in level 2",
+    ),
+    "sph, count wrong": ("p.sph", "1 2\n2\n1.5\n", 3, "'1.5'", "number of spheres in level 1"),
+    "sph, count negative": ("p.sph", "1 2\n2\n-1\n", 3, "'-1'", "not negative"),
+    "sph, no levels": ("p.sph", "1 2\n", 1, "end of the file", "the number of levels"),
+    "sph, no radii": ("p.sph", "3\n1\n", 1, "'3'", "the smallest and the largest radius"),
+    "sph, three columns": (
+        "p.sph",
+        "1 2\n1\n2\n0 0 0 1\n0 0 1\n",
+        5,
+        "3 columns '0 0 1'",
+        "4 columns: x y z radius",
+    ),
+    "sph, no spheres": ("p.sph", "1 2\n1\n0\n", None, "no sphere", "at least one"),
+    "sph, huge count": (
+        "p.sph",
+        "1 2\n1\n9000000000000000\n0 0 0 1\n",
+        4,
+        "end of the file",
+        "9000000000000000",
+    ),
+    "sph, huge levels": (
+        "p.sph",
+        "1 2\n9000000000000000\n1\n0 0 0 1\n",
+        4,
+        "end of the file",
+        "level 2",
+    ),
+}
+
+
+@pytest.mark.parametrize("case", TEXTS, ids=[case.replace(" ", "-") for case in TEXTS])
+@pytest.mark.parametrize("single", [False, True], ids=["double", "single"])
+def test_bad_text(read_error, tmp_path, case, single):
+    name, content, line, found, expected = TEXTS[case]
+    path = tmp_path / name
+    path.write_bytes(content if isinstance(content, bytes) else content.encode())
+    message, code = read_error(path, single=single)
+    assert message.startswith(f"{path}, line {line}: found " if line else f"{path}: ")
+    assert found in message
+    assert expected in message[message.index("expected") :]
+    assert code == FORMAT
+
+
+def test_too_large_for_single_precision_only(read_error, read_text, tmp_path):
+    path = tmp_path / "p.spheres"
+    path.write_text("1e39 0 0 1\n")
+    message, _ = read_error(path, single=True)
+    assert "found '1e39' as x in column 1, expected a finite number" in message
+    assert read_text("1e39 0 0 1\n").points[0, 0] == 1e39
+
+
+def test_no_file_name(read_error):
+    from spherepacking.vtkSpherePackingCore import vtkSpherePackingReader
+
+    reader = vtkSpherePackingReader()
+    events = []
+    reader.AddObserver("ErrorEvent", lambda *_: events.append(1))
+    reader.Update()
+    assert len(events) == 1
+    assert "FileName: found none, expected" in reader.GetErrorMessage()
+
+
+@pytest.mark.parametrize(
+    "name", ["p.spheres", "p.xyzr", "p.csv", "p.xyzd", "p.dump", "p.pqr", "p.sph", "p.txt", "p"]
+)
+class TestFiles:
+    def test_missing(self, read_error, tmp_path, name):
+        message, code = read_error(tmp_path / name)
+        assert message == f"{tmp_path / name}: found no such file, expected a sphere packing"
+        assert code == NOT_FOUND
+
+    def test_empty(self, read_error, tmp_path, name):
+        (tmp_path / name).touch()
+        message, code = read_error(tmp_path / name)
+        assert message == f"{tmp_path / name}: the file is empty, expected spheres"
+        assert code == END_OF_FILE
+
+    def test_directory(self, read_error, tmp_path, name):
+        (tmp_path / name).mkdir()
+        message, code = read_error(tmp_path / name)
+        assert message == f"{tmp_path / name}: found a directory, expected a file"
+        assert code == CANNOT_OPEN
+
+    @pytest.mark.skipif(not hasattr(os, "geteuid") or os.geteuid() == 0, reason="root reads all")
+    def test_unreadable(self, read_error, tmp_path, name):
+        (tmp_path / name).write_text("0 0 0 1\n")
+        (tmp_path / name).chmod(0)
+        message, code = read_error(tmp_path / name)
+        assert "cannot open the file" in message
+        assert code == CANNOT_OPEN
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="no named pipes here")
+@pytest.mark.parametrize("name", ["p.spheres", "p.xyzd", "p.txt"])
+def test_a_pipe_is_not_waited_for(read_error, tmp_path, name):
+    os.mkfifo(tmp_path / name)
+    message, code = read_error(tmp_path / name)
+    assert message == f"{tmp_path / name}: found a pipe or a device, expected a regular file"
+    assert code == CANNOT_OPEN
+
+
+def test_truncated_xyzd(read_error, tmp_path):
+    path = tmp_path / "p.xyzd"
+    path.write_bytes(struct.pack("<4d", 0, 0, 0, 1) + b"1234567")
+    message, code = read_error(path)
+    assert message.startswith(f"{path}: found 39 bytes, which end within sphere 2")
+    assert "expected a multiple of 32" in message
+    assert code == END_OF_FILE
+
+
+@pytest.mark.parametrize(
+    "sphere, found",
+    [
+        ((float("nan"), 0, 0, 1), "found nan as x"),
+        ((0, float("inf"), 0, 1), "found inf as y"),
+        ((0, 0, float("-inf"), 1), "found -inf as z"),
+        ((0, 0, 0, -1e-300), "found -1e-300 as diameter"),
+        ((0, 0, 0, float("nan")), "found nan as diameter"),
+    ],
+)
+def test_bad_xyzd(read_error, tmp_path, sphere, found):
+    path = tmp_path / "p.xyzd"
+    good = struct.pack("<4d", 0, 0, 0, 1)
+    path.write_bytes(good * 100000 + struct.pack("<4d", *sphere) + good * 100000 + b"\xff" * 32)
+    message, _ = read_error(path)
+    assert message.startswith(f"{path}, sphere 100001: {found}, expected a finite number")
+
+
+@pytest.mark.parametrize(
+    "text, found",
+    [
+        ("Final Porosity: 0.3\n", "no such line for 'Theoretical Porosity:'"),
+        ("Theoretical Porosity: 0.3\n", "no such line for 'Final Porosity:'"),
+        ("Theoretical Porosity: 1.5\nFinal Porosity: 0.3\n", "'1.5' for 'Theoretical Porosity:'"),
+        ("Theoretical Porosity: 0.3\nFinal Porosity: many\n", "'many' for 'Final Porosity:'"),
+        ("Theoretical Porosity: 0.3\nFinal Porosity: nan\n", "'nan' for 'Final Porosity:'"),
+    ],
+)
+def test_bad_nfo(read_error, tmp_path, text, found):
+    (tmp_path / "p.xyzd").write_bytes(struct.pack("<4d", 0, 0, 0, 1))
+    (tmp_path / "p.nfo").write_text(text)
+    message, _ = read_error(tmp_path / "p.xyzd")
+    assert message.startswith(f"{tmp_path / 'p.nfo'}: found {found}")
+    assert "expected a number from 0 to below 1" in message
+
+
+def test_rubbish_never_passes_nor_crashes(tmp_path):
+    """Good files with bytes changed at random: a packing or one message, nothing between."""
+    import numpy as np
+    from spherepacking.vtkSpherePackingCore import vtkSpherePackingReader
+
+    seeds = {
+        "p.spheres": b"# x y z r\n0.5 1e3 -2 1\n1 2 3 0\n",
+        "p.csv": b'x,y,z,r,m\n1,2,3,4,\n5,6,7,8,"a"\n',
+        "p.txt": b"#format x_y_z_r_attrs\n1 2 3 4 5\n5 6 7 8 9\n",
+        "p.xyzr": b"A 3 N 6.444 3.101 48.834 1.7\nB 4 CA 7 8 9 2\n",
+        "p.pqr": b"REMARK\nATOM 1 N GLY 1 1 2 3 0.5 2\nEND\n",
+        "p.sph": b"1 2\n2\n1\n0 0 0 1\n2\n0 0 0 1\n1 1 1 1",
+        "p.dump": b"ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS pp pp pp\n"
+        b"0 1\n0 1\n0 1\nITEM: ATOMS id xs ys zs radius\n1 0.5 0.5 0.5 1\n",
+        "p.xyzd": struct.pack("<8d", 0, 1, 2, 3, 4, 5, 6, 7),
+    }
+    rng = np.random.default_rng(11)
+    alphabet = np.frombuffer(b'\0\n\r\t ,;#"-+.eE019naxITEM:\xff', np.uint8)
+    outcomes = set()
+    for name, seed in seeds.items():
+        for _ in range(150):
+            data = np.frombuffer(seed, np.uint8).copy()
+            for _ in range(rng.integers(1, 6)):
+                data[rng.integers(data.size)] = rng.choice(alphabet)
+            data = data[: rng.integers(1, data.size + 1)] if rng.random() < 0.3 else data
+            (tmp_path / name).write_bytes(data.tobytes())
+            reader = vtkSpherePackingReader()
+            reader.SetFileName(str(tmp_path / name))
+            reader.SetChunkSize(int(rng.integers(1, 40)))
+            reader.AddObserver("ErrorEvent", lambda *_: None)
+            reader.Update()
+            count = reader.GetOutput().GetNumberOfPoints()
+            message = reader.GetErrorMessage()
+            assert (count == 0) == (message != "") == (reader.GetErrorCode() != 0)
+            assert str(tmp_path / name) in message or not message
+            outcomes.add(bool(message))
+    assert outcomes == {True, False}

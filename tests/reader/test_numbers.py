@@ -1,0 +1,201 @@
+"""Numbers against Python's float(), and for single precision against exact fractions."""
+
+import locale
+import math
+from fractions import Fraction
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+HARD = [
+    "0",
+    "-0",
+    "-0.0",
+    "+1.5",
+    "1.",
+    ".5",
+    "-.5e-3",
+    "+.5E+3",
+    "1e23",
+    "8.5e22",
+    "9007199254740993",
+    "9007199254740992.9999999999999999999999999999",
+    "9007199254740993.00000000000000000000000000000000000000001",
+    "0.1000000000000000055511151231257827021181583404541015625",
+    "0.10000000000000001249000902703301107976585626602172851562499999",
+    "0.1000000000000000124900090270330110797658562660217285156250",
+    "2.2250738585072011e-308",
+    "2.2250738585072014e-308",
+    "4.9406564584124654e-324",
+    "2.4703282292062327208299493357e-324",
+    "2.4703282292062328e-324",
+    "2.4703282292062327e-324",
+    "1e-400",
+    "-1e-400",
+    "1e-99999999999",
+    "0e99999999999",
+    "1.7976931348623157e308",
+    "1.7976931348623158e308",
+    "123456789012345678901234567890",
+    "0." + "0" * 400 + "1e400",
+    "1" + "0" * 300 + "e-300",
+    "3." + "1" * 800,
+    "6.02214076e23",
+    "1e+05",
+    "00012.50",
+]
+
+
+def bits(values):
+    return np.asarray(values, dtype=np.float64).view(np.uint64).tolist()
+
+
+def nearest_float32(text):
+    """The float32 nearest to a decimal, ties to even, by exact arithmetic."""
+    exact = Fraction(text)
+    near = np.float32(float(exact))
+    with np.errstate(over="ignore"):
+        candidates = [near] + [np.nextafter(near, np.float32(to)) for to in (np.inf, -np.inf)]
+    finite = [c for c in candidates if np.isfinite(c)]
+    return min(finite, key=lambda c: (abs(Fraction(float(c)) - exact), int(c.view(np.uint32)) & 1))
+
+
+@pytest.mark.parametrize("text", HARD, ids=range(len(HARD)))
+def test_hard_numbers_round_as_pythons(read_text, text):
+    packing = read_text(f"{text} 1 {text} 1\n")
+    assert bits(packing.points[0]) == bits([float(text), 1, float(text)])
+
+
+def test_random_numbers_of_many_forms_round_as_pythons(read_text):
+    rng = np.random.default_rng(20240607)
+    values = rng.integers(0, 2**64, 40000, dtype=np.uint64).view(np.float64)
+    values = values[np.isfinite(values)]
+    values = values[: values.size // 4 * 4].reshape(-1, 4)
+    values[:, 3] = abs(values[:, 3])
+    forms = ["{!r}", "{:.17g}", "{:.20e}", "{:.25g}", "{:.3g}"]
+    rows = [
+        [forms[(i + j) % 5].format(v) for j, v in enumerate(row)]
+        for i, row in enumerate(values.tolist())
+    ]
+    # A short form of the largest values may round beyond all doubles.
+    rows = [row for row in rows if all(math.isfinite(float(text)) for text in row)]
+    packing = read_text("\n".join(map(" ".join, rows)), chunk=1000)
+    expected = np.array([[float(text) for text in row] for row in rows])
+    assert len(rows) > 9000
+    assert bits(packing.points) == bits(expected[:, :3])
+    assert bits(packing["radius"]) == bits(expected[:, 3])
+
+
+def test_halfway_cases_round_to_even(read_text):
+    rng = np.random.default_rng(7)
+    texts = []
+    for value in abs(rng.normal(size=300)):
+        up = np.nextafter(value, np.inf)
+        middle = (Fraction(value) + Fraction(float(up))) / 2
+        digits = str(middle.numerator * 10**1100 // middle.denominator).rjust(1101, "0")
+        exact = digits[:-1100] + "." + digits[-1100:].rstrip("0")
+        texts += [exact, exact + "0" * 20 + "1"]
+    packing = read_text("\n".join(f"{text} 0 0 1" for text in texts))
+    assert bits(packing.points[:, 0]) == bits([float(text) for text in texts])
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "16777217",
+        "16777217.000000000000000000001",
+        "0.1",
+        "1.000000059604644775390625",
+        "1.00000005960464477539062500000000000000000001",
+        "1.4e-45",
+        "7.006492321624085e-46",
+        "7.0064923216240854e-46",
+        "1e-50",
+        "3.4028235e38",
+        "1.17549435e-38",
+        "0.50000002980232241545",
+    ],
+)
+def test_single_precision_rounds_once(read_text, text):
+    packing = read_text(f"{text} 0 0 1\n", single=True)
+    assert packing.points[0, 0].view(np.uint32) == nearest_float32(text).view(np.uint32)
+
+
+def test_the_reference_for_single_precision_is_not_that_of_double_rounding():
+    text = "1.00000005960464477539062500000000000000000001"
+    assert nearest_float32(text) != np.float32(float(text))
+
+
+finite = st.floats(allow_nan=False, allow_infinity=False)
+radius = st.floats(min_value=0, max_value=1.7e308 / 2, allow_nan=False)
+finite32 = st.floats(width=32, allow_nan=False, allow_infinity=False)
+radius32 = st.floats(min_value=0, width=32, allow_nan=False, allow_infinity=False)
+
+
+@pytest.mark.parametrize("extension", ["spheres", "csv", "xyzr", "txt", "xyzd"])
+@settings(
+    deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture], max_examples=50
+)
+@given(rows=st.lists(st.tuples(finite, finite, finite, radius), min_size=1, max_size=20))
+def test_written_doubles_read_back_bit_for_bit(read, write, tmp_path, extension, rows):
+    import pyvista as pv
+
+    rows = np.array(rows)
+    packing = pv.PolyData(rows[:, :3].copy())
+    packing["radius"] = rows[:, 3]
+    path = tmp_path / f"p.{extension}"
+    assert write(packing, path) == (True, "")
+    back = read(path)
+    assert bits(back.points) == bits(rows[:, :3])
+    assert bits(back["radius"]) == bits(rows[:, 3])
+
+
+@pytest.mark.parametrize("extension", ["spheres", "csv", "xyzr", "txt", "xyzd"])
+@settings(
+    deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture], max_examples=50
+)
+@given(rows=st.lists(st.tuples(finite32, finite32, finite32, radius32), min_size=1, max_size=20))
+def test_written_floats_read_back_bit_for_bit(read, write, tmp_path, extension, rows):
+    import pyvista as pv
+
+    rows = np.array(rows, dtype=np.float32)
+    packing = pv.PolyData(rows[:, :3].copy())
+    packing["radius"] = rows[:, 3]
+    assert packing.points.dtype == np.float32
+    path = tmp_path / f"p.{extension}"
+    assert write(packing, path) == (True, "")
+    back = read(path, single=True)
+    assert back.points.view(np.uint32).tolist() == rows[:, :3].copy().view(np.uint32).tolist()
+    assert back["radius"].view(np.uint32).tolist() == rows[:, 3].copy().view(np.uint32).tolist()
+    assert bits(read(path).points) == bits(rows[:, :3]), "and as doubles"
+
+
+@pytest.fixture
+def comma_locale():
+    before = locale.setlocale(locale.LC_ALL)
+    for name in ["de_DE.UTF-8", "de_DE.utf8", "fr_FR.UTF-8", "fr_FR.utf8", "de_DE"]:
+        try:
+            locale.setlocale(locale.LC_ALL, name)
+        except locale.Error:
+            continue
+        assert locale.localeconv()["decimal_point"] == ","
+        yield name
+        locale.setlocale(locale.LC_ALL, before)
+        return
+    pytest.skip("no locale with a decimal comma: de_DE.UTF-8, fr_FR.UTF-8")
+
+
+def test_a_locale_with_decimal_commas_changes_nothing(comma_locale, read, write, tmp_path):
+    import pyvista as pv
+
+    packing = pv.PolyData(np.array([[0.5, -1234.5, 1e-3]]))
+    packing["radius"] = np.array([2.25])
+    for extension in ["spheres", "csv", "xyzr", "txt", "xyzd"]:
+        path = tmp_path / f"p.{extension}"
+        assert write(packing, path) == (True, "")
+        back = read(path)
+        assert back.points.tolist() == [[0.5, -1234.5, 1e-3]]
+        assert back["radius"].tolist() == [2.25]
+    assert (tmp_path / "p.csv").read_text() == "x,y,z,radius\n0.5,-1234.5,0.001,2.25\n"

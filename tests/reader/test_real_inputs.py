@@ -1,0 +1,85 @@
+"""Packings of other projects, against a reader in plain Python for each."""
+
+import numpy as np
+import pytest
+
+
+def check(packing, rows):
+    rows = np.array(rows)
+    assert packing.points.tolist() == rows[:, :3].tolist()
+    assert packing["radius"].tolist() == rows[:, 3].tolist()
+
+
+def test_deme_csv(read, real_input):
+    path = real_input("deme_TeddyBear.csv")
+    rows = [[float(v) for v in line.split(",")] for line in path.read_text().split()[1:]]
+    assert len(rows) == 18
+    check(read(path), rows)
+
+
+def test_cellpack_sphere_tree(read, real_input):
+    path = real_input("cellpack_test.sph")
+    lines = [line.split() for line in path.read_text().splitlines()]
+    rows = [[float(v) for v in line] for line in lines if len(line) == 4 and line[0] != "#"]
+    packing = read(path)
+    check(packing, rows)
+    assert packing["level"].tolist() == [1] + [2] * 3 + [3] * 12
+    assert packing["level"].dtype == np.int32
+
+
+def test_voronota_xyzr(read, real_input):
+    path = real_input("voronota_3dlb.xyzr")
+    lines = [line.split() for line in path.read_text().splitlines()]
+    assert len(lines) == 9745
+    packing = read(path)
+    check(packing, [[float(v) for v in line[3:]] for line in lines])
+    assert packing["column_2"].tolist() == [float(line[1]) for line in lines]
+
+
+@pytest.mark.parametrize(
+    "name, count", [("apbs_achbp.pqr", 16090), ("apbs_membrane-helix-8.pqr", 317)]
+)
+def test_apbs_pqr(read, real_input, name, count):
+    path = real_input(name)
+    lines = [line.split() for line in path.read_text().splitlines()]
+    lines = [line for line in lines if line[0] in ("ATOM", "HETATM")]
+    assert len(lines) == count
+    packing = read(path)
+    check(packing, [[float(line[i]) for i in (-5, -4, -3, -1)] for line in lines])
+    assert packing["charge"].tolist() == [float(line[-2]) for line in lines]
+
+
+def test_packgen_xyzd(read, real_input, tmp_path):
+    path = real_input("packgen_packing.xyzd")
+    rows = np.fromfile(path, "<f8").reshape(-1, 4)
+    assert len(rows) == 10000
+    rows[:, 3] /= 2
+    check(read(path), rows)  # its .nfo leaves the diameters as they are
+
+    copy = tmp_path / "copy.xyzd"
+    copy.write_bytes(path.read_bytes())
+    check(read(copy), rows)  # no .nfo
+    (tmp_path / "copy.nfo").write_text(
+        "N: 10000\n Theoretical Porosity: 0.36\nFinal Porosity: 0.488 (Tolerance: 1.0001)\n"
+    )
+    scaled = read(copy)
+    assert scaled.points.tolist() == rows[:, :3].tolist()
+    np.testing.assert_allclose(scaled["radius"], rows[:, 3] * 0.8 ** (1 / 3), rtol=4e-16)
+
+
+def test_single_precision_is_the_rounded_double(read, real_input):
+    path = real_input("packgen_packing.xyzd")
+    double, single = read(path), read(path, single=True)
+    assert single.points.dtype == np.float32
+    assert (single.points == double.points.astype(np.float32)).all()
+    assert (single["radius"] == double["radius"].astype(np.float32)).all()
+
+
+def test_a_mesh_is_no_packing(read_error, real_input):
+    message, _ = read_error(real_input("vhacd_pig.off"))
+    assert "line 1: found 1 column 'OFF', expected at least 4" in message
+
+
+def test_an_archive_is_no_packing(read_error, real_input):
+    message, _ = read_error(real_input("fresnel_spheres.npz"))
+    assert "line 1: found 'PK" in message
