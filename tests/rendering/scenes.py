@@ -46,9 +46,15 @@ def make_packing(centers, radii):
 
 
 @contextmanager
-def show(packing, camera, size=(400, 400), **words):
-    """Show a packing unlit on black, by default in colours that tell the spheres' numbers."""
+def show(packing, camera, size=(400, 400), *, samples=None, **words):
+    """Show a packing unlit on black, by default in colours that tell the spheres' numbers.
+
+    With PyVista's default of several samples a pixel, surfaces are found first and lit later; with
+    ``samples=0`` spheres are drawn straight into the window.
+    """
     plotter = pv.Plotter(off_screen=True, window_size=size)
+    if samples is not None:
+        plotter.render_window.SetMultiSamples(samples)
     plotter.set_background("black")
     words.setdefault("lighting", False)
     if "color" not in words and "scalars" not in words:

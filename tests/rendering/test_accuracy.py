@@ -10,12 +10,14 @@ from spherepacking import _accuracy, _scenes
 
 def check(centers, radii, camera, size=(400, 400), sphere_wrong=1e-4):
     """Compare and return the errors; `sphere_wrong` bounds the share of pixels of a wrong sphere."""
-    drawn, reference = draw_and_cast(np.asarray(centers), np.asarray(radii), camera, size)
-    errors = _accuracy.compare(drawn, reference)
-    assert errors.hit_pixels > 0
-    assert errors.good, errors
-    assert errors.sphere_wrong <= sphere_wrong * errors.hit_pixels + 1, errors
-    return errors
+    for samples in (None, 0):
+        drawn, reference = draw_and_cast(
+            np.asarray(centers), np.asarray(radii), camera, size, samples=samples
+        )
+        errors = _accuracy.compare(drawn, reference)
+        assert errors.hit_pixels > 0
+        assert errors.good, errors
+        assert errors.sphere_wrong <= sphere_wrong * errors.hit_pixels + 1, errors
 
 
 ONE = np.zeros((1, 3))

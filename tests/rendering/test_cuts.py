@@ -8,13 +8,14 @@ from scenes import Camera, draw_and_cast, make_packing, show
 from spherepacking import _accuracy, _reference
 
 
+@pytest.mark.parametrize("samples", [None, 0])
 @pytest.mark.parametrize("parallel_scale", [None, 1.3])
-def test_near_plane_shows_the_inside(rng, parallel_scale):
+def test_near_plane_shows_the_inside(rng, parallel_scale, samples):
     centers = rng.uniform(-1, 1, (300, 3))
     radii = rng.uniform(0.05, 0.4, 300)
     camera = Camera((0, 0, 4), up=(0, 1, 0), parallel_scale=parallel_scale,
                     clipping_range=(4.0, 6.0))
-    drawn, reference = draw_and_cast(centers, radii, camera)
+    drawn, reference = draw_and_cast(centers, radii, camera, samples=samples)
     errors = _accuracy.compare(drawn, reference)
     assert errors.good, errors
     assert errors.sphere_wrong <= 10
@@ -31,14 +32,16 @@ def test_far_plane_cuts(rng):
     assert errors.good, errors
 
 
+@pytest.mark.parametrize("samples", [None, 0])
 @pytest.mark.parametrize("parallel_scale", [None, 1.5])
-def test_clipping_planes_cut_per_pixel(parallel_scale):
+def test_clipping_planes_cut_per_pixel(parallel_scale, samples):
     """Two planes leave a wedge of one sphere; every pixel equals the float64 solution."""
     size = (300, 300)
     radius = 1.0
     planes = [((0.2, 0.0, 0.0), (1.0, 0.3, 0.0)), ((0.0, -0.1, 0.3), (0.0, 0.2, -1.0))]
     camera = Camera((1.0, 2.0, 4.0), parallel_scale=parallel_scale)
-    with show(make_packing([[0.0, 0.0, 0.0]], [radius]), camera, size) as (plotter, actor):
+    packing = make_packing([[0.0, 0.0, 0.0]], [radius])
+    with show(packing, camera, size, samples=samples) as (plotter, actor):
         for origin, normal in planes:
             actor.mapper.AddClippingPlane(_plane(origin, normal))
         plotter.render()

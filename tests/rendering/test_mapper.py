@@ -154,6 +154,19 @@ def test_stretching_matrix_is_an_error():
     assert "uniform scale" in message
 
 
+def test_camera_in_its_focal_point_is_an_error():
+    with show(make_packing(ROW, [1.0, 1.0, 1.0]), FRONT, (50, 50), color="white") as (plotter, actor):
+        errors = []
+        actor.mapper.AddObserver("ErrorEvent", lambda *_: errors.append(1))
+        plotter.camera.focal_point = plotter.camera.position
+        plotter.render()
+        message = actor.mapper.GetErrorMessage()
+        actor.mapper.RemoveAllObservers()
+    assert len(errors) == 1
+    assert "camera" in message
+    assert "focal point" in message
+
+
 def test_rotation_translation_and_scale_of_the_actor():
     matrix = pv.Transform().rotate_z(30).rotate_x(-50).scale(1.7).translate((0.3, -0.2, 0.4)).matrix
     radii = np.array([1.0, 0.5, 1.2])
@@ -206,9 +219,10 @@ def normals(picture_size, camera_distance=None):
     return np.stack([xx, yy, np.sqrt(np.maximum(z2, 0))], axis=-1), z2 > 0
 
 
-def lit(lights, **words):
+def lit(lights, samples=0, **words):
     """Draw a white unit sphere under lights in a parallel view 2.5 wide, rows from the bottom."""
     plotter = pv.Plotter(off_screen=True, window_size=(200, 200), lighting="none")
+    plotter.render_window.SetMultiSamples(samples)
     plotter.set_background("black")
     for light in lights:
         plotter.add_light(light)
@@ -227,8 +241,9 @@ def scene_light(position):
     return pv.Light(position=position, focal_point=(0, 0, 0), light_type="scene light")
 
 
-def test_headlight():
-    picture = lit([pv.Light(light_type="headlight")])
+@pytest.mark.parametrize("samples", [0, 8])
+def test_headlight(samples):
+    picture = lit([pv.Light(light_type="headlight")], samples)
     n, mask = normals(200)
     np.testing.assert_allclose(picture[mask], n[mask][:, 2], atol=1.5 / 255)
 
@@ -367,9 +382,11 @@ def test_moving_the_points_moves_the_spheres():
     np.testing.assert_array_equal(np.roll(before, 50, axis=1), after)
 
 
-def test_two_renderers_side_by_side():
-    packing = make_packing([[0.0, 0.0, 0.0]], [1.0])
+@pytest.mark.parametrize("samples", [0, 8])
+def test_two_renderers_side_by_side(samples):
+    packing = make_packing([[0.0, 0.0, 0.0], [1.4, 0.0, 0.0]], [1.0, 0.01])  # quad and point
     plotter = pv.Plotter(off_screen=True, window_size=(200, 100), shape=(1, 2), border=False)
+    plotter.render_window.SetMultiSamples(samples)
     for column in range(2):
         plotter.subplot(0, column)
         plotter.set_background("black")

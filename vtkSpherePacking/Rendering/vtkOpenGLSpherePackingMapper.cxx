@@ -7,12 +7,15 @@
 #include "vtkAlgorithm.h"
 #include "vtkCommand.h"
 #include "vtkHardwareSelector.h"
+#include "vtkInformation.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLError.h"
 #include "vtkOpenGLIndexBufferObject.h"
 #include "vtkOpenGLResourceFreeCallback.h"
+#include "vtkOpenGLRenderPass.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLRenderer.h"
 #include "vtkOpenGLState.h"
 #include "vtkOpenGLVertexArrayObject.h"
 #include "vtkPolyData.h"
@@ -36,6 +39,7 @@ vtkOpenGLSpherePackingMapper::vtkOpenGLSpherePackingMapper()
 {
   this->SetRadiusArrayName("radius");
   this->InterpolateScalarsBeforeMapping = 0;
+  this->Impl->Screen.PrimitiveType = PrimitiveTris;
 }
 
 //------------------------------------------------------------------------------
@@ -160,26 +164,37 @@ void vtkOpenGLSpherePackingMapper::BuildBufferObjects(vtkRenderer*, vtkActor*)
 void vtkOpenGLSpherePackingMapper::RenderPieceDraw(vtkRenderer* ren, vtkActor* act)
 {
   Internals& impl = *this->Impl;
-  if (!impl.View.Compute(ren, act, impl.Vertices.GetOrigin()))
+  const std::string problem = impl.View.Compute(ren, act, impl.Vertices.GetOrigin());
+  if (!problem.empty())
   {
-    this->Fail("the actor's matrix stretches or shears; spheres allow rotation, translation and "
-               "uniform scale");
+    this->Fail(problem);
     return;
   }
   GLfloat range[2] = { 1.0f, 1.0f };
   glGetFloatv(GL_POINT_SIZE_RANGE, range);
   impl.MaximumPointSize = std::min(range[1], LargestUsefulPoint);
-
+  const bool translucent = act->IsRenderingTranslucentPolygonalGeometry() != 0;
   const bool selecting = ren->GetSelector() != nullptr;
+  const bool bothSides = translucent && !selecting && !act->GetProperty()->GetBackfaceCulling();
+  impl.MayBeCut = bothSides || this->GetNumberOfClippingPlanes() > 0 ||
+    !impl.View.HoldsDepthsOf(this->Bounds, impl.Vertices.GetOrigin());
+  vtkInformation* keys = act->GetPropertyKeys();
+  const bool renderPasses = keys && keys->Has(vtkOpenGLRenderPass::RenderPasses());
+  // Lights once a pixel pay off against an extra pass when there are several of them, or several
+  // samples a pixel, none of which a sphere's silhouette uses.
+  const bool costlyPixels = ren->GetRenderWindow()->GetMultiSamples() > 1 ||
+    static_cast<vtkOpenGLRenderer*>(ren)->GetLightingComplexity() > 1;
+  if (costlyPixels && !translucent && !selecting && !renderPasses)
+  {
+    this->DrawSurfacesThenLights(ren, act);
+    return;
+  }
   if (selecting && !impl.IdsUploaded)
   {
     impl.UploadIds();
   }
-  const bool bothSides =
-    act->IsRenderingTranslucentPolygonalGeometry() && !act->GetProperty()->GetBackfaceCulling() && !selecting;
+  this->UploadQuads(impl.View);
   impl.HitMode = bothSides ? Internals::FarHit : Internals::FirstHit;
-  impl.MayBeCut = bothSides || this->GetNumberOfClippingPlanes() > 0 ||
-    !impl.View.HoldsDepthsOf(this->Bounds, impl.Vertices.GetOrigin());
   this->DrawSpheres(ren, act);
   if (bothSides)
   {
@@ -189,34 +204,91 @@ void vtkOpenGLSpherePackingMapper::RenderPieceDraw(vtkRenderer* ren, vtkActor* a
 }
 
 //------------------------------------------------------------------------------
+void vtkOpenGLSpherePackingMapper::UploadQuads(const vtkSpherePackingView& view)
+{
+  Internals& impl = *this->Impl;
+  const std::vector<vtkSpherePackingQuadVertex> quads =
+    vtkSpherePackingMakeQuads(this->CurrentInput, impl.Radii,
+      impl.HasColors ? this->Colors : nullptr, impl.Vertices, view, impl.MaximumPointSize);
+  impl.NumberOfQuadVertices = static_cast<vtkIdType>(quads.size());
+  if (!quads.empty())
+  {
+    impl.QuadBuffer->Upload(quads, vtkOpenGLBufferObject::ArrayBuffer);
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkOpenGLSpherePackingMapper::DrawSpheres(vtkRenderer* ren, vtkActor* act)
 {
   Internals& impl = *this->Impl;
   vtkOpenGLState* state =
     static_cast<vtkOpenGLRenderWindow*>(ren->GetRenderWindow())->GetState();
+  vtkOpenGLState::ScopedglEnableDisable pointSize(state, GL_PROGRAM_POINT_SIZE);
+  vtkOpenGLState::ScopedglEnableDisable cull(state, GL_CULL_FACE);
+  state->vtkglEnable(GL_PROGRAM_POINT_SIZE);
+  state->vtkglDisable(GL_CULL_FACE);
+  this->UpdateShaders(this->Primitives[PrimitiveTris], ren, act);
+  glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(impl.NumberOfVertices));
+  if (impl.NumberOfQuadVertices > 0)
   {
-    vtkOpenGLState::ScopedglEnableDisable saved(state, GL_PROGRAM_POINT_SIZE);
-    state->vtkglEnable(GL_PROGRAM_POINT_SIZE);
-    this->UpdateShaders(this->Primitives[PrimitiveTris], ren, act);
-    glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(impl.NumberOfVertices));
-  }
-
-  const std::vector<vtkSpherePackingQuadVertex> quads =
-    vtkSpherePackingMakeQuads(this->CurrentInput, impl.Radii,
-      impl.HasColors ? this->Colors : nullptr, impl.Vertices, impl.View, impl.MaximumPointSize);
-  if (!quads.empty())
-  {
-    impl.QuadBuffer->Upload(quads, vtkOpenGLBufferObject::ArrayBuffer);
     this->UpdateShaders(this->Primitives[PrimitiveTriStrips], ren, act);
-    glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(quads.size()));
+    glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(impl.NumberOfQuadVertices));
   }
   vtkOpenGLCheckErrorMacro("failed after drawing spheres");
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenGLSpherePackingMapper::DrawSurfacesThenLights(vtkRenderer* ren, vtkActor* act)
+{
+  Internals& impl = *this->Impl;
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(ren->GetRenderWindow());
+  vtkSpherePackingSurfaces::Scene scene;
+  scene.View = impl.View;
+  scene.View.Viewport[0] = 0.0; // the textures are as large as the viewport
+  scene.View.Viewport[1] = 0.0;
+  this->UploadQuads(scene.View);
+  scene.Features = impl.GetFeatures(this->GetNumberOfClippingPlanes());
+  scene.ClippingPlanes = this->ComputeClippingPlanes(act);
+  scene.MaximumPointSize = impl.MaximumPointSize;
+  scene.Vertices = impl.VertexBuffer;
+  scene.NumberOfVertices = static_cast<int>(impl.NumberOfVertices);
+  scene.Quads = impl.QuadBuffer;
+  scene.NumberOfQuadVertices = static_cast<int>(impl.NumberOfQuadVertices);
+  scene.BufferTime = impl.BufferTime;
+  impl.Surfaces.Draw(window, scene);
+
+  vtkOpenGLState::ScopedglEnableDisable cull(window->GetState(), GL_CULL_FACE);
+  window->GetState()->vtkglDisable(GL_CULL_FACE);
+  this->UpdateShaders(impl.Screen, ren, act);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  impl.Surfaces.Deactivate();
+  vtkOpenGLCheckErrorMacro("failed after lighting spheres");
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::array<float, 4>> vtkOpenGLSpherePackingMapper::ComputeClippingPlanes(
+  vtkActor* act)
+{
+  std::vector<std::array<float, 4>> planes(this->GetNumberOfClippingPlanes());
+  for (std::size_t i = 0; i < planes.size(); ++i)
+  {
+    double plane[4];
+    this->GetClippingPlaneInDataCoords(act->GetMatrix(), static_cast<int>(i), plane);
+    planes[i] = this->Impl->View.ToNearPlaneSpace(plane, this->Impl->Vertices.GetOrigin());
+  }
+  return planes;
 }
 
 //------------------------------------------------------------------------------
 bool vtkOpenGLSpherePackingMapper::DrawingQuads() const
 {
   return this->LastBoundBO == &this->Primitives[PrimitiveTriStrips];
+}
+
+//------------------------------------------------------------------------------
+bool vtkOpenGLSpherePackingMapper::DrawingScreen() const
+{
+  return this->LastBoundBO == &this->Impl->Screen;
 }
 
 //------------------------------------------------------------------------------
@@ -245,6 +317,8 @@ void vtkOpenGLSpherePackingMapper::ReleaseGraphicsResources(vtkWindow* window)
   this->Impl->VertexBuffer->ReleaseGraphicsResources();
   this->Impl->IdBuffer->ReleaseGraphicsResources();
   this->Impl->QuadBuffer->ReleaseGraphicsResources();
+  this->Impl->Surfaces.ReleaseGraphicsResources(window);
+  this->Impl->Screen.ReleaseGraphicsResources(window);
   this->Superclass::ReleaseGraphicsResources(window);
 }
 

@@ -37,7 +37,11 @@
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkSpherePackingRenderingModule.h" // for the export macro
 
+#include <array>  // for clipping planes
 #include <memory> // for the private state
+#include <vector> // for clipping planes
+
+struct vtkSpherePackingView;
 
 class VTKSPHEREPACKINGRENDERING_EXPORT vtkOpenGLSpherePackingMapper
   : public vtkOpenGLPolyDataMapper
@@ -115,9 +119,12 @@ private:
 
   bool PrepareInput();
   void Fail(const std::string& message);
+  void UploadQuads(const vtkSpherePackingView& view);
   void DrawSpheres(vtkRenderer* ren, vtkActor* act);
+  void DrawSurfacesThenLights(vtkRenderer* ren, vtkActor* act);
+  std::vector<std::array<float, 4>> ComputeClippingPlanes(vtkActor* act);
   bool DrawingQuads() const;
-  void AddAttributes(vtkOpenGLHelper& cellBO);
+  bool DrawingScreen() const;
 
   struct Internals;
   std::unique_ptr<Internals> Impl;

@@ -8,7 +8,9 @@
 #include "vtkNew.h"
 #include "vtkOpenGLBufferObject.h"
 #include "vtkSpherePackingInput.h"
+#include "vtkSpherePackingPrograms.h"
 #include "vtkSpherePackingQuads.h"
+#include "vtkSpherePackingSurfaces.h"
 #include "vtkSpherePackingVertices.h"
 #include "vtkSpherePackingView.h"
 #include "vtkTimeStamp.h"
@@ -34,19 +36,23 @@ struct vtkOpenGLSpherePackingMapper::Internals
   vtkSpherePackingView View;
   vtkSpherePackingVertices Vertices;
   vtkIdType NumberOfVertices = 0;
+  vtkIdType NumberOfQuadVertices = 0;
   bool HasColors = false;
-  bool MayBeCut = true; // by the near or far plane, a clipping plane, or for want of a side
   bool IdsUploaded = false;
+  bool MayBeCut = true; // by the near or far plane, a clipping plane, or for want of a side
   float MaximumPointSize = 1.0f;
   HitModes HitMode = FirstHit;
   vtkNew<vtkOpenGLBufferObject> VertexBuffer;
   vtkNew<vtkOpenGLBufferObject> IdBuffer; // four bytes a vertex, made when something selects
   vtkNew<vtkOpenGLBufferObject> QuadBuffer;
   vtkTimeStamp BufferTime; // when the set of attributes last changed
-  // What the shaders were built for.
-  bool ShadersHaveColors = false;
-  bool ShadersMayCut = true;
 
+  // Surfaces are found first and lit in a triangle over the viewport, or drawn and lit in one go.
+  vtkSpherePackingSurfaces Surfaces;
+  vtkOpenGLHelper Screen;
+  vtkSpherePackingFeatures ShaderFeatures; // what VTK's shaders were last built for
+
+  vtkSpherePackingFeatures GetFeatures(int numberOfClippingPlanes) const;
   void UploadIds();
 };
 

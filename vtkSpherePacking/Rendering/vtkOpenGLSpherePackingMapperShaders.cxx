@@ -11,17 +11,15 @@
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
-#include "vtkSpherePackingSplit.h"
 
-#include "vtkSpherePackingFSDeclarations.h"
 #include "vtkSpherePackingFSDepth.h"
 #include "vtkSpherePackingFSHit.h"
 #include "vtkSpherePackingFSNormal.h"
 #include "vtkSpherePackingQuadVS.h"
+#include "vtkSpherePackingScreenFSDeclarations.h"
+#include "vtkSpherePackingScreenFSHit.h"
+#include "vtkSpherePackingScreenVS.h"
 #include "vtkSpherePackingVS.h"
-
-#include <algorithm>
-#include <cstddef>
 
 namespace
 {
@@ -51,14 +49,26 @@ void vtkOpenGLSpherePackingMapper::Internals::UploadIds()
 }
 
 //------------------------------------------------------------------------------
+vtkSpherePackingFeatures vtkOpenGLSpherePackingMapper::Internals::GetFeatures(
+  int numberOfClippingPlanes) const
+{
+  vtkSpherePackingFeatures features;
+  features.Parallel = this->View.Parallel;
+  features.Colors = this->HasColors;
+  features.MayBeCut = this->MayBeCut;
+  features.ClippingPlanes = numberOfClippingPlanes;
+  return features;
+}
+
+//------------------------------------------------------------------------------
 bool vtkOpenGLSpherePackingMapper::GetNeedToRebuildShaders(
   vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act)
 {
   Internals& impl = *this->Impl;
-  if (impl.HasColors != impl.ShadersHaveColors || impl.MayBeCut != impl.ShadersMayCut)
+  const vtkSpherePackingFeatures features = impl.GetFeatures(this->GetNumberOfClippingPlanes());
+  if (features != impl.ShaderFeatures)
   {
-    impl.ShadersHaveColors = impl.HasColors;
-    impl.ShadersMayCut = impl.MayBeCut;
+    impl.ShaderFeatures = features;
     this->SelectionStateChanged.Modified(); // the superclass rebuilds every program after this
   }
   return this->Superclass::GetNeedToRebuildShaders(cellBO, ren, act);
@@ -69,48 +79,45 @@ void vtkOpenGLSpherePackingMapper::GetShaderTemplate(
   ShaderMap shaders, vtkRenderer* ren, vtkActor* act)
 {
   this->Superclass::GetShaderTemplate(shaders, ren, act);
-  shaders[vtkShader::Vertex]->SetSource(
-    this->DrawingQuads() ? vtkSpherePackingQuadVS : vtkSpherePackingVS);
-  shaders[vtkShader::Geometry]->SetSource("");
-  for (const vtkShader::Type type : { vtkShader::Vertex, vtkShader::Fragment })
+  std::string vertex = vtkSpherePackingScreenVS;
+  if (!this->DrawingScreen())
   {
-    Substitute(shaders, type, "//VTK::System::Dec",
-      "//VTK::System::Dec\n"
-      "#extension GL_ARB_gpu_shader_fp64 : enable\n"
-      "#ifdef GL_ARB_gpu_shader_fp64\n"
-      "#define REAL double\n#define REAL2 dvec2\n#define REAL3 dvec3\n#define REAL4 dvec4\n"
-      "#else\n"
-      "#define REAL float\n#define REAL2 vec2\n#define REAL3 vec3\n#define REAL4 vec4\n"
-      "#endif\n");
+    vertex = this->DrawingQuads() ? vtkSpherePackingQuadVS : vtkSpherePackingVS;
+    vertex = this->Impl->HasColors ? vtkSpherePackingWithColors(vertex) : vertex;
   }
-  // The rasterised depth is that of the sphere's front, so early depth tests may reject.
-  Substitute(shaders, vtkShader::Fragment, "//VTK::System::Dec",
-    "//VTK::System::Dec\n"
-    "#extension GL_ARB_conservative_depth : enable\n");
+  shaders[vtkShader::Vertex]->SetSource(vertex);
+  shaders[vtkShader::Geometry]->SetSource("");
+  Substitute(shaders, vtkShader::Vertex, "//VTK::System::Dec", vtkSpherePackingRealTypes);
+  Substitute(shaders, vtkShader::Fragment, "//VTK::System::Dec", vtkSpherePackingRealTypes);
 }
 
 //------------------------------------------------------------------------------
-void vtkOpenGLSpherePackingMapper::ReplaceShaderPositionVC(
-  ShaderMap shaders, vtkRenderer* ren, vtkActor*)
+void vtkOpenGLSpherePackingMapper::ReplaceShaderPositionVC(ShaderMap shaders, vtkRenderer*, vtkActor*)
 {
-  const bool parallel = ren->GetActiveCamera()->GetParallelProjection() != 0;
+  vtkSpherePackingFeatures features = this->Impl->ShaderFeatures;
+  features.Quads = this->DrawingQuads();
+  std::string declarations = vtkSpherePackingHitDeclarations(features);
+  std::string hit = vtkSpherePackingFSHit;
+  std::string depth = vtkSpherePackingFSDepth;
+  if (this->DrawingScreen())
+  {
+    declarations = std::string("const bool parallelView = ") +
+      (features.Parallel ? "true" : "false") + ";\n" + vtkSpherePackingScreenFSDeclarations;
+    hit = vtkSpherePackingScreenFSHit;
+    depth = "  gl_FragDepth = sphereDepthValue;\n";
+  }
   Substitute(shaders, vtkShader::Fragment, "//VTK::Camera::Dec", "uniform int cameraParallel;\n");
-  Substitute(shaders, vtkShader::Fragment, "//VTK::PositionVC::Dec",
-    std::string("#ifdef GL_ARB_conservative_depth\n"
-                "layout(depth_greater) out float gl_FragDepth;\n"
-                "#endif\n") +
-      (this->DrawingQuads() ? "#define DRAWING_QUADS\n" : "") +
-      (this->Impl->MayBeCut ? "#define SPHERES_MAY_BE_CUT\n" : "") +
-      "#define CLIPPING_PLANES " + std::to_string(this->GetNumberOfClippingPlanes()) +
-      "\nconst bool parallelView = " + (parallel ? "true" : "false") + ";\n" + vtkSpherePackingFSDeclarations);
-  Substitute(shaders, vtkShader::Fragment, "//VTK::PositionVC::Impl", vtkSpherePackingFSHit);
-  Substitute(shaders, vtkShader::Fragment, "//VTK::Depth::Impl", vtkSpherePackingFSDepth);
+  Substitute(shaders, vtkShader::Fragment, "//VTK::PositionVC::Dec", declarations);
+  Substitute(shaders, vtkShader::Fragment, "//VTK::PositionVC::Impl", hit);
+  Substitute(shaders, vtkShader::Fragment, "//VTK::Depth::Impl", depth);
 }
 
 //------------------------------------------------------------------------------
 void vtkOpenGLSpherePackingMapper::ReplaceShaderNormal(ShaderMap shaders, vtkRenderer*, vtkActor*)
 {
-  Substitute(shaders, vtkShader::Fragment, "//VTK::Normal::Impl", vtkSpherePackingFSNormal);
+  Substitute(shaders, vtkShader::Fragment, "//VTK::Normal::Impl",
+    this->DrawingScreen() ? "  vec3 normalVCVSOutput = sphereSurface.xyz;\n"
+                          : vtkSpherePackingFSNormal);
 }
 
 //------------------------------------------------------------------------------
@@ -135,16 +142,14 @@ void vtkOpenGLSpherePackingMapper::ReplaceShaderEdges(ShaderMap shaders, vtkRend
   {
     return;
   }
-  Substitute(shaders, vtkShader::Vertex, "//VTK::Color::Dec",
-    "in vec4 sphereColor;\nflat out vec4 sphereColorVSOutput;\n");
-  Substitute(
-    shaders, vtkShader::Vertex, "//VTK::Color::Impl", "sphereColorVSOutput = sphereColor;\n");
-  Substitute(
-    shaders, vtkShader::Fragment, "//VTK::Edges::Dec", "flat in vec4 sphereColorVSOutput;\n");
+  const std::string color = this->DrawingScreen() ? "texelFetch(sphereColors, sphereTexel, 0)"
+                                                   : "sphereColorVSOutput";
   Substitute(shaders, vtkShader::Fragment, "//VTK::Edges::Impl",
-    "  ambientColor = ambientIntensity * sphereColorVSOutput.rgb;\n"
-    "  diffuseColor = diffuseIntensity * sphereColorVSOutput.rgb;\n"
-    "  opacity = opacityUniform * sphereColorVSOutput.a;\n");
+    "  vec4 sphereColorHere = " + color +
+      ";\n"
+      "  ambientColor = ambientIntensity * sphereColorHere.rgb;\n"
+      "  diffuseColor = diffuseIntensity * sphereColorHere.rgb;\n"
+      "  opacity = opacityUniform * sphereColorHere.a;\n");
 }
 
 //------------------------------------------------------------------------------
@@ -189,143 +194,59 @@ void vtkOpenGLSpherePackingMapper::ReplaceShaderCoincidentOffset(
 }
 
 //------------------------------------------------------------------------------
-void vtkOpenGLSpherePackingMapper::AddAttributes(vtkOpenGLHelper& cellBO)
-{
-  Internals& impl = *this->Impl;
-  vtkShaderProgram* program = cellBO.Program;
-  vtkOpenGLVertexArrayObject* vao = cellBO.VAO;
-  const bool quads = this->DrawingQuads();
-  vtkOpenGLBufferObject* buffer = quads ? impl.QuadBuffer : impl.VertexBuffer;
-  const std::size_t stride =
-    quads ? sizeof(vtkSpherePackingQuadVertex) : sizeof(vtkSpherePackingVertex);
-  const auto add = [&](const char* name, std::size_t offset, int components)
-  {
-    vao->AddAttributeArray(
-      program, buffer, name, static_cast<int>(offset), stride, VTK_FLOAT, components, false);
-  };
-  const auto addBytes = [&](vtkOpenGLBufferObject* from, const char* name, std::size_t offset,
-                          std::size_t step, bool normalize)
-  {
-    if (program->IsAttributeUsed(name))
-    {
-      vao->AddAttributeArray(program, from, name, static_cast<int>(offset), step,
-        VTK_UNSIGNED_CHAR, 4, normalize);
-    }
-  };
-  vao->Bind();
-  if (quads)
-  {
-    using V = vtkSpherePackingQuadVertex;
-    add("corner", offsetof(V, Corner), 3);
-    add("sphereReference", offsetof(V, Reference), 4);
-    add("sphereShape", offsetof(V, Shape), 4);
-    add("sphereShapeLow", offsetof(V, ShapeLow), 4);
-    add("sphereRest", offsetof(V, Rest), 4);
-    addBytes(buffer, "sphereColor", offsetof(V, Color), stride, true);
-    addBytes(buffer, "sphereId", offsetof(V, Id), stride, false);
-  }
-  else
-  {
-    using V = vtkSpherePackingVertex;
-    add("centerHigh", offsetof(V, High), 3);
-    add("centerLow", offsetof(V, Low), 3);
-    add("radius", offsetof(V, Radius), 1);
-    addBytes(buffer, "sphereColor", offsetof(V, Color), stride, true);
-    addBytes(impl.IdBuffer, "sphereId", 0, 4, false);
-  }
-  cellBO.AttributeUpdateTime.Modified();
-}
-
-//------------------------------------------------------------------------------
 void vtkOpenGLSpherePackingMapper::SetMapperShaderParameters(
   vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act)
 {
   Internals& impl = *this->Impl;
   this->Superclass::SetMapperShaderParameters(cellBO, ren, act);
+  vtkShaderProgram* program = cellBO.Program;
+  if (this->DrawingScreen())
+  {
+    cellBO.VAO->Bind(); // without attributes, but drawing needs one
+    impl.Surfaces.Activate(program);
+    const float origin[2] = { static_cast<float>(impl.View.Viewport[0]),
+      static_cast<float>(impl.View.Viewport[1]) };
+    program->SetUniform2f("viewportOrigin", origin);
+    return;
+  }
   if (impl.BufferTime > cellBO.AttributeUpdateTime ||
     cellBO.ShaderSourceTime > cellBO.AttributeUpdateTime ||
     cellBO.VAO->GetMTime() > cellBO.AttributeUpdateTime.GetMTime())
   {
-    this->AddAttributes(cellBO);
+    if (this->DrawingQuads())
+    {
+      vtkSpherePackingAddQuadAttributes(cellBO.VAO, program, impl.QuadBuffer);
+    }
+    else
+    {
+      vtkSpherePackingAddPointAttributes(cellBO.VAO, program, impl.VertexBuffer, impl.IdBuffer);
+    }
+    cellBO.AttributeUpdateTime.Modified();
   }
-  vtkShaderProgram* program = cellBO.Program;
   program->SetUniformi("hitMode", impl.HitMode);
   // VTK tests picks of points against the depth of the picture before; a step nearer they pass.
   program->SetUniformf("depthShift", ren->GetSelector() ? 5e-7f : 0.0f);
-  const int count = this->GetNumberOfClippingPlanes();
-  if (count > 0)
+  const std::vector<std::array<float, 4>> planes = this->ComputeClippingPlanes(act);
+  if (!planes.empty())
   {
-    std::vector<std::array<float, 4>> planes(count);
-    for (int i = 0; i < count; ++i)
-    {
-      double plane[4];
-      this->GetClippingPlaneInDataCoords(act->GetMatrix(), i, plane);
-      planes[i] = impl.View.ToNearPlaneSpace(plane, impl.Vertices.GetOrigin());
-    }
-    program->SetUniform4fv("sphereClipPlanes", count, planes.front().data());
+    program->SetUniform4fv(
+      "sphereClipPlanes", static_cast<int>(planes.size()), planes.front().data());
   }
 }
 
 //------------------------------------------------------------------------------
 void vtkOpenGLSpherePackingMapper::SetCameraShaderParameters(
-  vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor*)
+  vtkOpenGLHelper& cellBO, vtkRenderer*, vtkActor*)
 {
-  const vtkSpherePackingView& view = this->Impl->View;
+  const Internals& impl = *this->Impl;
   vtkShaderProgram* program = cellBO.Program;
-  const double length = view.Far - view.Near;
-  float rayMap[2][4];
-  for (int axis = 0; axis < 2; ++axis)
+  vtkSpherePackingSetRayUniforms(program, impl.View);
+  if (!this->DrawingScreen() && !this->DrawingQuads())
   {
-    const double factor = 1.0 / view.PixelMap[axis];
-    const double offset = -(view.PixelMap[2 + axis] + view.Viewport[axis]) * factor;
-    vtkSpherePackingSplit(factor, rayMap[0][axis], rayMap[1][axis]);
-    vtkSpherePackingSplit(offset, rayMap[0][2 + axis], rayMap[1][2 + axis]);
+    vtkSpherePackingSetPointUniforms(program, impl.View, impl.MaximumPointSize);
   }
-  program->SetUniform4f("rayMapHigh", rayMap[0]);
-  program->SetUniform4f("rayMapLow", rayMap[1]);
-  const float depthMap[3] = { static_cast<float>(view.Near), static_cast<float>(length),
-    static_cast<float>(view.Near / length) };
-  program->SetUniform3f("depthMap", depthMap);
-  if (program->IsUniformUsed("cameraParallel"))
+  else if (program->IsUniformUsed("cameraParallel"))
   {
-    program->SetUniformi(
-      "cameraParallel", ren->GetActiveCamera()->GetParallelProjection() ? 1 : 0);
+    program->SetUniformi("cameraParallel", impl.View.Parallel ? 1 : 0);
   }
-  if (this->DrawingQuads())
-  {
-    return;
-  }
-
-  // Matrices go column by column, so a row becomes a column.
-  float rows[2][9];
-  float eye[2][3];
-  for (int i = 0; i < 3; ++i)
-  {
-    vtkSpherePackingSplit(view.Eye[i], eye[0][i], eye[1][i]);
-    for (int j = 0; j < 3; ++j)
-    {
-      vtkSpherePackingSplit(view.Rows[i][j], rows[0][3 * i + j], rows[1][3 * i + j]);
-    }
-  }
-  float pixelMap[2][4];
-  float viewport[4];
-  for (int i = 0; i < 4; ++i)
-  {
-    vtkSpherePackingSplit(view.PixelMap[i], pixelMap[0][i], pixelMap[1][i]);
-    viewport[i] = static_cast<float>(view.Viewport[i]);
-  }
-  float range[4];
-  vtkSpherePackingSplit(view.Near, range[0], range[2]);
-  vtkSpherePackingSplit(view.Far, range[1], range[3]);
-  program->SetUniformMatrix3x3("viewHigh", rows[0]);
-  program->SetUniformMatrix3x3("viewLow", rows[1]);
-  program->SetUniform3f("eyeHigh", eye[0]);
-  program->SetUniform3f("eyeLow", eye[1]);
-  program->SetUniform4f("pixelMapHigh", pixelMap[0]);
-  program->SetUniform4f("pixelMapLow", pixelMap[1]);
-  program->SetUniform4f("clipRange", range);
-  program->SetUniform4f("viewport", viewport);
-  program->SetUniformf("radiusScale", static_cast<float>(view.RadiusScale));
-  program->SetUniformf("maximumDepthShare", vtkSpherePackingMaximumDepthShare);
-  program->SetUniformf("maximumPointSize", this->Impl->MaximumPointSize);
 }

@@ -38,7 +38,7 @@ double SimilarityScale(const std::array<std::array<double, 3>, 3>& rows)
 }
 
 //------------------------------------------------------------------------------
-bool vtkSpherePackingView::Compute(
+std::string vtkSpherePackingView::Compute(
   vtkRenderer* renderer, vtkActor* actor, const std::array<double, 3>& origin)
 {
   auto* camera = static_cast<vtkOpenGLCamera*>(renderer->GetActiveCamera());
@@ -63,7 +63,13 @@ bool vtkSpherePackingView::Compute(
   this->RadiusScale = SimilarityScale(this->Rows);
   if (!(this->RadiusScale > 0.0))
   {
-    return false;
+    return SimilarityScale({ { { transposedView[0], transposedView[1], transposedView[2] },
+             { transposedView[4], transposedView[5], transposedView[6] },
+             { transposedView[8], transposedView[9], transposedView[10] } } }) > 0.0
+      ? "the actor's matrix stretches, shears or flattens; spheres allow rotation, translation and "
+        "uniform scale"
+      : "the camera's view transform stretches, shears or flattens, as when its position is its "
+        "focal point; spheres allow rotation, translation and uniform scale";
   }
   const double squared = this->RadiusScale * this->RadiusScale;
   for (int j = 0; j < 3; ++j)
@@ -105,7 +111,7 @@ bool vtkSpherePackingView::Compute(
     this->PixelMap[i] = half * projection->GetElement(i, i);
     this->PixelMap[2 + i] = half * (1.0 + offset);
   }
-  return true;
+  return {};
 }
 
 //------------------------------------------------------------------------------

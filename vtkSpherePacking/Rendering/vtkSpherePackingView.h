@@ -7,6 +7,7 @@
 #include "vtkABINamespace.h"
 
 #include <array>
+#include <string>
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkActor;
@@ -27,9 +28,10 @@ struct vtkSpherePackingView
   // x, y, width, height in pixels.
   std::array<double, 4> Viewport;
 
-  // The view of `actor` through the renderer's active camera into the current GL viewport, or
-  // false when the actor's matrix is no similarity: it would make ellipsoids of spheres.
-  bool Compute(vtkRenderer* renderer, vtkActor* actor, const std::array<double, 3>& origin);
+  // The view of `actor` through the renderer's active camera into the current GL viewport. Returns
+  // an empty string, or why there is no such view: a matrix that is no similarity would make
+  // ellipsoids of spheres.
+  std::string Compute(vtkRenderer* renderer, vtkActor* actor, const std::array<double, 3>& origin);
 
   std::array<double, 3> ToView(const std::array<double, 3>& model) const;
 
