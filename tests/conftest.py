@@ -163,7 +163,8 @@ def living_vtk_objects():
         if name in sys.modules
     )
     gc.collect()
-    return {id(thing): thing for thing in gc.get_objects() if isinstance(thing, bases)}
+    # Not isinstance: it asks a weak proxy for its class, which fails when the object is gone.
+    return {id(thing): thing for thing in gc.get_objects() if issubclass(type(thing), bases)}
 
 
 @pytest.fixture(autouse=True)
