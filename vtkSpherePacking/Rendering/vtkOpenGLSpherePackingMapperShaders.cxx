@@ -101,7 +101,8 @@ void vtkOpenGLSpherePackingMapper::ReplaceShaderPositionVC(
                 "#endif\n") +
       (this->DrawingQuads() ? "#define DRAWING_QUADS\n" : "") +
       (this->Impl->MayBeCut ? "#define SPHERES_MAY_BE_CUT\n" : "") +
-      "const bool parallelView = " + (parallel ? "true" : "false") + ";\n" + vtkSpherePackingFSDeclarations);
+      "#define CLIPPING_PLANES " + std::to_string(this->GetNumberOfClippingPlanes()) +
+      "\nconst bool parallelView = " + (parallel ? "true" : "false") + ";\n" + vtkSpherePackingFSDeclarations);
   Substitute(shaders, vtkShader::Fragment, "//VTK::PositionVC::Impl", vtkSpherePackingFSHit);
   Substitute(shaders, vtkShader::Fragment, "//VTK::Depth::Impl", vtkSpherePackingFSDepth);
 }
@@ -147,24 +148,9 @@ void vtkOpenGLSpherePackingMapper::ReplaceShaderEdges(ShaderMap shaders, vtkRend
 }
 
 //------------------------------------------------------------------------------
-void vtkOpenGLSpherePackingMapper::ReplaceShaderClip(ShaderMap shaders, vtkRenderer*, vtkActor*)
+void vtkOpenGLSpherePackingMapper::ReplaceShaderClip(ShaderMap, vtkRenderer*, vtkActor*)
 {
-  const int count = this->GetNumberOfClippingPlanes();
-  if (count == 0)
-  {
-    return;
-  }
-  const std::string size = std::to_string(count);
-  Substitute(shaders, vtkShader::Fragment, "//VTK::Clip::Dec",
-    "uniform vec4 sphereClipPlanes[" + size + "];\n");
-  Substitute(shaders, vtkShader::Fragment, "//VTK::SpherePackingClip::Impl",
-    "vec4 position = vec4(spherePosition(), 1.0);\n"
-    "  for (int i = 0; i < " +
-      size +
-      "; ++i)\n"
-      "  {\n"
-      "    if (dot(sphereClipPlanes[i], position) < 0.0) { return false; }\n"
-      "  }\n");
+  // The hit itself heeds the planes: see sphereHitIsVisible() in the declarations.
 }
 
 //------------------------------------------------------------------------------
@@ -340,6 +326,6 @@ void vtkOpenGLSpherePackingMapper::SetCameraShaderParameters(
   program->SetUniform4f("clipRange", range);
   program->SetUniform4f("viewport", viewport);
   program->SetUniformf("radiusScale", static_cast<float>(view.RadiusScale));
-  program->SetUniformf("largestRelativeRadius", vtkSpherePackingLargestRelativeRadius);
+  program->SetUniformf("maximumDepthShare", vtkSpherePackingMaximumDepthShare);
   program->SetUniformf("maximumPointSize", this->Impl->MaximumPointSize);
 }

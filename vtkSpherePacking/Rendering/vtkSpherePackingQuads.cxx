@@ -81,6 +81,19 @@ struct Sphere
   Outline Pixels;
 };
 
+// Whether a sphere of that depth is one for a quad whatever its size in pixels.
+bool IsClose(double distance, double r, const vtkSpherePackingView& view)
+{
+  const double length = view.Far - view.Near;
+  if (view.Parallel)
+  {
+    return Slack * r >= vtkSpherePackingMaximumDepthShare * length;
+  }
+  return distance < 4.0 * Slack * r ||
+    Slack * r * view.Near * view.Far >=
+      vtkSpherePackingMaximumDepthShare * length * distance * distance;
+}
+
 bool NeedsQuad(const std::array<double, 3>& model, double radius,
   const vtkSpherePackingView& view, double maximumPointSize, Sphere& sphere)
 {
@@ -91,8 +104,7 @@ bool NeedsQuad(const std::array<double, 3>& model, double radius,
   {
     return false;
   }
-  const double reference = view.Parallel ? view.Far - view.Near : distance;
-  const bool close = reference * vtkSpherePackingLargestRelativeRadius < Slack * r;
+  const bool close = IsClose(distance, r, view);
   const Outline pixels = ComputeOutline(c, distance, r, view);
   double size = 0.0;
   for (int axis = 0; axis < 2; ++axis)
@@ -187,8 +199,7 @@ bool MayNeedQuads(const vtkSpherePackingBlock& block, const vtkSpherePackingView
   const double pixels = std::max(std::abs(view.PixelMap[0]), std::abs(view.PixelMap[1]));
   if (view.Parallel)
   {
-    return (view.Far - view.Near) * vtkSpherePackingLargestRelativeRadius < Slack * r ||
-      2.0 * r * pixels >= maximumPointSize - 2.0;
+    return IsClose(0.0, r, view) || 2.0 * r * pixels >= maximumPointSize - 2.0;
   }
   double squared = 0.0;
   for (int axis = 0; axis < 3; ++axis)
@@ -208,7 +219,7 @@ bool MayNeedQuads(const vtkSpherePackingBlock& block, const vtkSpherePackingView
   }
   // In front of the eye, depth >= distance / corner for what is in the window.
   const double depth = std::sqrt(squared) * view.RadiusScale / std::sqrt(corner) - r;
-  return depth * vtkSpherePackingLargestRelativeRadius < Slack * r || 2.0 * r * pixels * corner / depth >= maximumPointSize - 2.0;
+  return depth <= 0.0 || IsClose(depth, r, view) || 2.0 * r * pixels * corner / depth >= maximumPointSize - 2.0;
 }
 }
 

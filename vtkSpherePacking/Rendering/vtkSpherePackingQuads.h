@@ -21,14 +21,15 @@ struct vtkSpherePackingQuadVertex
   unsigned char Id[4];
 };
 
-// Up to this ratio of the radius to the distance (in parallel views, to the depth range) a point's
-// float arithmetic is precise enough for a depth buffer of 24 bits.
-constexpr float vtkSpherePackingLargestRelativeRadius = 0.05f;
+// Up to this share of the depth buffer for one radius, float arithmetic is precise enough for a
+// depth buffer of 24 bits; see vtkSpherePackingFSDeclarations.glsl.
+constexpr float vtkSpherePackingMaximumDepthShare = 0.05f;
 
 // Six vertices, two triangles, for every sphere in the view volume that vtkSpherePackingVS.glsl
-// leaves out because a point would be larger than `maximumPointSize` pixels, or because its radius
-// exceeds the share of its distance above. The spheres come from the packing itself, in its own precision:
-// the distance of the eye to a near surface is a difference that float would lose.
+// leaves out: because a point would be larger than `maximumPointSize` pixels, because its depths
+// need double precision, or because it lies within four radii of the eye. The spheres come from
+// the packing itself, in its own precision: the distance of the eye to a near surface is a
+// difference that float would lose.
 std::vector<vtkSpherePackingQuadVertex> vtkSpherePackingMakeQuads(vtkPolyData* packing,
   vtkDataArray* radii, vtkUnsignedCharArray* colors, const vtkSpherePackingVertices& vertices,
   const vtkSpherePackingView& view, double maximumPointSize);

@@ -22,7 +22,7 @@ uniform vec4 clipRange; // near, far, low parts of near, far
 uniform vec4 viewport; // x, y, width, height in pixels
 uniform float radiusScale;
 uniform float maximumPointSize; // in pixels; larger spheres are drawn as quads,
-uniform float largestRelativeRadius; // and so are spheres larger than this share of their distance
+uniform float maximumDepthShare; // and so are those that fill more than this of the depth buffer
 uniform int cameraParallel;
 
 flat out vec4 sphereReferenceVSOutput;
@@ -58,22 +58,21 @@ void main()
   REAL2 low;
   REAL2 high;
   REAL2 center;
+  REAL depthShare; // of one radius
   if (cameraParallel != 0)
   {
-    if ((range.y - range.x) * REAL(largestRelativeRadius) < r)
-    {
-      return;
-    }
+    depthShare = r / (range.y - range.x);
     center = map.xy * c.xy + map.zw;
     low = center - map.xy * r;
     high = center + map.xy * r;
   }
   else
   {
-    if (distance * REAL(largestRelativeRadius) < r)
+    if (distance < REAL(4.0) * r)
     {
       return;
     }
+    depthShare = r * range.x * range.y / ((range.y - range.x) * distance * distance);
     REAL along = distance * distance - r * r;
     REAL2 middle = c.xy * distance;
     REAL2 spread = r * sqrt(c.xy * c.xy + along);
@@ -86,7 +85,8 @@ void main()
   vec2 last = min(floor(vec2(high) - 0.5 + 1.0e-3), viewport.zw - 1.0);
   vec2 count = last - first + 1.0;
   float size = max(count.x, count.y);
-  if (min(count.x, count.y) < 1.0 || size > maximumPointSize)
+  if (min(count.x, count.y) < 1.0 || size > maximumPointSize ||
+    depthShare > REAL(maximumDepthShare))
   {
     return;
   }

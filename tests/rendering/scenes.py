@@ -1,0 +1,72 @@
+"""Scenes that are drawn and compared with float64 rays."""
+
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+
+import numpy as np
+import pyvista as pv
+
+from spherepacking import _accuracy, _reference
+
+
+@dataclass
+class Camera:
+    position: tuple = (3.0, 3.0, 3.0)
+    focal_point: tuple = (0.0, 0.0, 0.0)
+    up: tuple = (0.0, 0.0, 1.0)
+    view_angle: float = 40.0
+    parallel_scale: float | None = None
+    clipping_range: tuple | None = None
+    settings: dict = field(default_factory=dict)
+
+    def apply(self, plotter):
+        camera = plotter.camera
+        camera.position = self.position
+        camera.focal_point = self.focal_point
+        camera.up = self.up
+        camera.view_angle = self.view_angle
+        if self.parallel_scale is not None:
+            camera.parallel_projection = True
+            camera.parallel_scale = self.parallel_scale
+        for name, value in self.settings.items():
+            getattr(camera, name)(*value)
+        if self.clipping_range is None:
+            plotter.renderer.ResetCameraClippingRange()
+        else:
+            camera.clipping_range = self.clipping_range
+
+
+def make_packing(centers, radii):
+    packing = pv.PolyData()
+    points = pv._vtk.vtkPoints()
+    points.SetData(pv.convert_array(np.ascontiguousarray(centers)))
+    packing.SetPoints(points)
+    packing.point_data["radius"] = np.asarray(radii)
+    return packing
+
+
+@contextmanager
+def show(packing, camera, size=(400, 400), **words):
+    """Show a packing unlit on black, by default in colours that tell the spheres' numbers."""
+    plotter = pv.Plotter(off_screen=True, window_size=size)
+    plotter.set_background("black")
+    words.setdefault("lighting", False)
+    if "color" not in words and "scalars" not in words:
+        words |= {"scalars": _accuracy.id_colors(packing.n_points), "rgb": True}
+    actor = plotter.packing.add(packing, show_scalar_bar=False, **words)
+    camera.apply(plotter)
+    plotter.show(auto_close=False, interactive=False)
+    camera.apply(plotter)
+    plotter.render()
+    try:
+        yield plotter, actor
+    finally:
+        plotter.close()
+
+
+def draw_and_cast(centers, radii, camera, size=(400, 400), **words):
+    """Draw a packing, cast the same view in float64 and return both pictures."""
+    with show(make_packing(centers, radii), camera, size, **words) as (plotter, _):
+        drawn = _accuracy.read(plotter)
+        to_device = _reference.projection(plotter.renderer)
+    return drawn, _reference.cast(centers, radii, to_device, size)
