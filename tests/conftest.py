@@ -163,7 +163,8 @@ def living_vtk_objects():
         if name in sys.modules
     )
     gc.collect()
-    return {id(thing): thing for thing in gc.get_objects() if isinstance(thing, bases)}
+    # Not isinstance: it asks a weak proxy for its class, which fails when the object is gone.
+    return {id(thing): thing for thing in gc.get_objects() if issubclass(type(thing), bases)}
 
 
 @pytest.fixture(autouse=True)
@@ -178,6 +179,7 @@ def no_leaks(request):
         return  # the traceback of a failed test keeps its objects
     if "pyvista" in sys.modules:
         sys.modules["pyvista"].close_all()
+    request.node.funcargs.clear()  # or pytest would hold what finished fixtures have returned
     left = [thing for key, thing in living_vtk_objects().items() if key not in before]
     names = sorted(type(thing).__name__ for thing in left)
     left.clear()
