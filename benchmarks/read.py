@@ -22,20 +22,6 @@ from spherepacking.vtkSpherePackingCore import vtkSpherePackingReader
 SPEED_BAR = 6.0  # times faster than numpy.loadtxt
 MEMORY_BAR = 2.0  # peak beyond the file, in sizes of the arrays
 
-# Linux can reset the high-water mark, so the peak is that of the reading and not of the imports.
-MEMORY_PROBE = """
-import sys
-from benchmarks_read import read
-def status(key):
-    with open("/proc/self/status") as lines:
-        return next(int(line.split()[1]) * 1024 for line in lines if line.startswith(key))
-with open("/proc/self/clear_refs", "w") as reset:
-    reset.write("5")
-before = status("VmRSS")
-packing = read(sys.argv[1])
-print(status("VmHWM") - before, packing.points.nbytes + packing["radius"].nbytes)
-"""
-
 
 def read(path):
     """Read a packing with the reader of this project.
@@ -81,12 +67,24 @@ def time_both(path, repeats):
     return statistics.median(ours), statistics.median(theirs)
 
 
+def status(key):
+    """A size from what Linux says of this process, in bytes."""
+    lines = Path("/proc/self/status").read_text().splitlines()
+    return next(int(line.split()[1]) * 1024 for line in lines if line.startswith(key))
+
+
+def probe_memory(path):
+    """Print the peak of the memory that reading takes, and the size of the arrays, in bytes."""
+    # The high-water mark is reset, so that it is that of the reading and not of the imports.
+    Path("/proc/self/clear_refs").write_text("5")
+    before = status("VmRSS")
+    packing = read(path)
+    print(status("VmHWM") - before, packing.points.nbytes + packing["radius"].nbytes)
+
+
 def peak_memory(path):
-    """Peak of the memory that reading takes in a fresh process, and the size of the arrays."""
-    source = "import importlib.util as u\ns = u.spec_from_file_location('benchmarks_read', "
-    source += f"{str(Path(__file__).resolve())!r})\nm = u.module_from_spec(s)\n"
-    source += "s.loader.exec_module(m)\nimport sys\nsys.modules['benchmarks_read'] = m\n"
-    command = [sys.executable, "-c", source + MEMORY_PROBE, str(path)]
+    """What probe_memory() finds in a fresh process."""
+    command = [sys.executable, __file__, "--memory-of", str(path)]
     done = subprocess.run(command, capture_output=True, text=True, check=True)
     peak, arrays = map(int, done.stdout.split())
     return peak, arrays
@@ -129,7 +127,11 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--lines", type=int, default=1_000_000, help="spheres in the file")
     parser.add_argument("--repeats", type=int, default=5, help="timed runs, one more is dropped")
+    parser.add_argument("--memory-of", metavar="FILE", help="only measure the memory for a file")
     options = parser.parse_args()
+    if options.memory_of:
+        probe_memory(options.memory_of)
+        return True
     if hasattr(os, "sched_setaffinity"):
         os.sched_setaffinity(0, sorted(os.sched_getaffinity(0))[:2])
     rows = []
