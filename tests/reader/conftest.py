@@ -29,6 +29,12 @@ def make_reader(path, *, single=False, chunk=None, fmt=None):
 
 
 @pytest.fixture(scope="session")
+def reader_for():
+    """The function that makes a reader of a file with the given options."""
+    return make_reader
+
+
+@pytest.fixture(scope="session")
 def vtk_core():
     """The vtkCommonCore module of the VTK that PyVista runs on."""
     vtk_class = next(c for c in pv.PolyData.__mro__ if c.__name__ == "vtkPolyData")

@@ -273,10 +273,11 @@ class TestFiles:
         assert message == f"{tmp_path / name}: found a directory, expected a file"
         assert code == CANNOT_OPEN
 
-    @pytest.mark.skipif(not hasattr(os, "geteuid") or os.geteuid() == 0, reason="root reads all")
     def test_unreadable(self, read_error, tmp_path, name):
         (tmp_path / name).write_text("0 0 0 1\n")
         (tmp_path / name).chmod(0)
+        if os.access(tmp_path / name, os.R_OK):
+            pytest.skip("this user reads files that nobody may")
         message, code = read_error(tmp_path / name)
         assert "cannot open the file" in message
         assert code == CANNOT_OPEN

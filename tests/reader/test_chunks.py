@@ -2,7 +2,6 @@
 
 import numpy as np
 import pytest
-from conftest import make_reader
 
 
 def rows(count, end="\n", seed=5):
@@ -94,13 +93,13 @@ def test_one_line_longer_than_all_chunks(read_text):
     assert len(packing.array_names) == 3001
 
 
-def test_more_than_one_batch_reports_progress_from_this_thread(tmp_path):
+def test_more_than_one_batch_reports_progress_from_this_thread(tmp_path, reader_for):
     import threading
 
     _, text = rows(20000)
     path = tmp_path / "p.spheres"
     path.write_text(text)
-    reader = make_reader(path, chunk=1000)
+    reader = reader_for(path, chunk=1000)
     seen, here = [], []
     reader.AddObserver("ProgressEvent", lambda o, _: seen.append(o.GetProgress()))
     reader.AddObserver("ProgressEvent", lambda *_: here.append(threading.get_ident()))
@@ -112,11 +111,11 @@ def test_more_than_one_batch_reports_progress_from_this_thread(tmp_path):
 
 
 @pytest.mark.parametrize("after", [0.1, 0.25, 0.6])
-def test_abort(tmp_path, after):
+def test_abort(tmp_path, after, reader_for):
     _, text = rows(20000)
     path = tmp_path / "p.spheres"
     path.write_text(text)
-    reader = make_reader(path, chunk=1000)
+    reader = reader_for(path, chunk=1000)
     errors, later = [], []
 
     def stop(caller, _):
@@ -138,10 +137,10 @@ def test_abort(tmp_path, after):
     assert reader.GetOutput().GetNumberOfPoints() == 20000
 
 
-def test_a_mended_file_is_read_by_the_next_update(tmp_path):
+def test_a_mended_file_is_read_by_the_next_update(tmp_path, reader_for):
     path = tmp_path / "p.spheres"
     path.write_text("0 0 0\n")
-    reader = make_reader(path)
+    reader = reader_for(path)
     reader.AddObserver("ErrorEvent", lambda *_: None)
     reader.Update()
     assert reader.GetErrorMessage()
@@ -151,10 +150,10 @@ def test_a_mended_file_is_read_by_the_next_update(tmp_path):
     assert reader.GetOutput().GetNumberOfPoints() == 1
 
 
-def test_a_bad_file_leaves_nothing_of_the_one_before(tmp_path):
+def test_a_bad_file_leaves_nothing_of_the_one_before(tmp_path, reader_for):
     (tmp_path / "good.spheres").write_text("0 0 0 1\n")
     (tmp_path / "bad.spheres").write_text("0 0 0 1\n0 0 0 -1\n")
-    reader = make_reader(tmp_path / "good.spheres")
+    reader = reader_for(tmp_path / "good.spheres")
     reader.AddObserver("ErrorEvent", lambda *_: None)
     reader.Update()
     assert reader.GetOutput().GetNumberOfPoints() == 1

@@ -98,14 +98,13 @@ def test_the_first_step_is_the_default(read_text):
 
 
 @pytest.mark.parametrize("request_time, chosen", [(-1, 0), (0, 0), (499, 0), (500, 1), (1700, 3)])
-def test_time_steps(tmp_path, request_time, chosen):
+def test_time_steps(tmp_path, request_time, chosen, reader_for):
     import pyvista as pv
-    from conftest import make_reader
 
     times, text = many_steps()
     path = tmp_path / "p.dump"
     path.write_text(text)
-    reader = make_reader(path)
+    reader = reader_for(path)
     reader.UpdateInformation()
     info = reader.GetOutputInformation(0)
     executive = reader.GetExecutive()
@@ -119,7 +118,7 @@ def test_time_steps(tmp_path, request_time, chosen):
     assert packing.GetInformation().Get(packing.DATA_TIME_STEP()) == times[chosen]
 
 
-def test_steps_longer_than_a_block_of_the_search(read_text, read_error, tmp_path):
+def test_steps_longer_than_a_block_of_the_search(read_text, read_error, tmp_path, reader_for):
     # Titles lie at, before and after the cuts of 16 MiB; each step has another number of atoms.
     rng = np.random.default_rng(3)
     counts = rng.integers(60000, 400000, 6)
@@ -129,20 +128,18 @@ def test_steps_longer_than_a_block_of_the_search(read_text, read_error, tmp_path
     texts = [text]
     for shift in (-1, 0, 1, 7, 15, 20):  # the title of one step across the cut
         texts.append(" " * 0 + "ITEM: UNITS\n" + "s" * (pad - 13 - shift) + "\n" + text)
-    from conftest import make_reader
-
     for number, content in enumerate(texts):
         path = tmp_path / f"{number}.dump"
         path.write_text(content)
         for i in (0, len(counts) - 1):
-            reader = make_reader(path)
+            reader = reader_for(path)
             reader.UpdateInformation()
             reader.UpdateTimeStep(i)
             assert reader.GetErrorMessage() == ""
             assert reader.GetOutput().GetNumberOfPoints() == counts[i]
     bad = content[: content.rindex(row)] + "1 2 x 4\n"
     path.write_text(bad)
-    reader = make_reader(path)
+    reader = reader_for(path)
     reader.AddObserver("ErrorEvent", lambda *_: None)
     reader.UpdateInformation()
     reader.UpdateTimeStep(len(counts) - 1)
@@ -150,12 +147,10 @@ def test_steps_longer_than_a_block_of_the_search(read_text, read_error, tmp_path
     assert f"line {line}: found 'x' as z" in reader.GetErrorMessage()
 
 
-def test_a_file_that_changes_is_searched_again(tmp_path):
-    from conftest import make_reader
-
+def test_a_file_that_changes_is_searched_again(tmp_path, reader_for):
     path = tmp_path / "p.dump"
     path.write_text(step(0, COLUMNS, ROWS))
-    reader = make_reader(path)
+    reader = reader_for(path)
     reader.Update()
     assert reader.GetOutput().GetNumberOfPoints() == 2
     path.write_text("ITEM: UNITS\nlj\n" + step(7, COLUMNS, ROWS + ROWS))

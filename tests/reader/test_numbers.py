@@ -88,6 +88,51 @@ def test_random_numbers_of_many_forms_round_as_pythons(read_text):
     assert bits(packing["radius"]) == bits(expected[:, 3])
 
 
+def short_decimals():
+    """All lengths before and after the point up to 10, with and without signs and neighbours."""
+    rng = np.random.default_rng(99)
+    texts = []
+    for before in range(11):
+        for after in range(11):
+            for sign in ("", "-", "+"):
+                for digits in ("0", "9", None):
+                    pick = [str(d) for d in rng.integers(0, 10, before + after)]
+                    pick = pick if digits is None else [digits] * (before + after)
+                    if pick:
+                        texts.append(sign + "".join(pick[:before]) + "." + "".join(pick[before:]))
+                        texts.append(texts[-1] + "e-3")
+    return texts
+
+
+@pytest.mark.parametrize("separator", [" ", ",", "\t"])
+def test_short_decimals_round_as_pythons(read_text, separator):
+    texts = short_decimals()
+    rows = [separator.join([text, "1", text, text.lstrip("-")]) for text in texts]
+    packing = read_text("\n".join(rows), chunk=5000)
+    expected = [float(text) for text in texts]
+    assert bits(packing.points[:, 0]) == bits(packing.points[:, 2]) == bits(expected)
+    assert bits(packing["radius"]) == bits(np.abs(expected))
+
+
+def test_short_decimals_round_once_to_single_precision(read_text):
+    texts = short_decimals()
+    packing = read_text("\n".join(f"{text} 0 0 1" for text in texts), single=True)
+    got = packing.points[:, 0].copy().view(np.uint32) & 0x7FFFFFFF
+    expected = np.array([abs(nearest_float32(text)) for text in texts]).view(np.uint32)
+    assert got.tolist() == expected.tolist()
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["1.5x", "1.5.", "1.5e", "1..5", "1.5-", "--1.5", "-+1.5", "+-1.5", "1.5_0", "1.:", "1./"],
+)
+@pytest.mark.parametrize("tail", ["", " " * 20])
+def test_what_is_nearly_a_short_decimal(read_error, tmp_path, text, tail):
+    (tmp_path / "p.spheres").write_text(f"0 {text} 0 1{tail}\n{tail}")
+    message, _ = read_error(tmp_path / "p.spheres")
+    assert f"line 1: found '{text}' as y in column 2, expected a number" in message
+
+
 def test_halfway_cases_round_to_even(read_text):
     rng = np.random.default_rng(7)
     texts = []

@@ -52,7 +52,7 @@ private:
 };
 
 /**
- * Calls body(first, last) on parts of [0, count) in all threads, some 16 times `grain` of them a
+ * Calls body(first, last) on parts of [0, count) in all threads, some 32 times `grain` of them a
  * thread at a time, and between these check() and a report in the calling thread. `body` must not
  * throw, `check` may.
  */
@@ -60,7 +60,7 @@ template <typename Body, typename Check>
 void ForInBatches(
   vtkIdType count, vtkIdType grain, Progress& progress, const Body& body, const Check& check)
 {
-  const vtkIdType batch = grain * 16 * std::max(1, vtkSMPTools::GetEstimatedNumberOfThreads());
+  const vtkIdType batch = grain * 32 * std::max(1, vtkSMPTools::GetEstimatedNumberOfThreads());
   for (vtkIdType first = 0; first < count; first += batch)
   {
     const vtkIdType last = std::min(count, first + batch);

@@ -53,11 +53,18 @@ public:
     {
       this->Roles.push_back(column.Role);
     }
+    this->IsPlain = !Scaled &&
+      this->Roles ==
+        std::vector<ColumnRole>{ ColumnRole::X, ColumnRole::Y, ColumnRole::Z, ColumnRole::Radius };
   }
 
   /// Parses the row at `p` into place `row`. Returns the line end, or null with `fault` set.
   const char* Parse(const char* p, vtkIdType row, RowFault& fault) const
   {
+    if (const char* const end = this->IsPlain ? this->ParsePlain(p, row) : nullptr)
+    {
+      return end;
+    }
     const int count = static_cast<int>(this->Roles.size());
     Coordinate centre[3];
     p = this->Between.SkipBlanks(p);
@@ -112,6 +119,30 @@ public:
   }
 
 private:
+  // A short cut for the most common row, x y z r with a blank between. Null when `p` is anything
+  // else, be it good or bad: then the general way decides.
+  const char* ParsePlain(const char* p, vtkIdType row) const
+  {
+    Real values[4];
+    for (Real& value : values)
+    {
+      p = ParseNumber(p, this->TextEnd, value);
+      if (!p || (*p != ' ' && !IsLineEnd(*p)) ||
+        !(std::abs(value) <= std::numeric_limits<Real>::max()))
+      {
+        return nullptr;
+      }
+      p += *p == ' ';
+    }
+    if (!IsLineEnd(*p) || values[3] < 0)
+    {
+      return nullptr;
+    }
+    std::copy_n(values, 3, this->Centres + 3 * row);
+    this->Radii[row] = values[3];
+    return p;
+  }
+
   // Fractions are placed in the box before they are rounded to Real.
   using Coordinate = std::conditional_t<Scaled, double, Real>;
 
@@ -213,6 +244,7 @@ private:
   std::vector<double*> Extras;
   std::atomic<bool>* IsText;
   std::vector<ColumnRole> Roles;
+  bool IsPlain;
 };
 }
 
