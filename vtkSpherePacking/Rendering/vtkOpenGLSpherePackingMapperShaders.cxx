@@ -83,7 +83,7 @@ void vtkOpenGLSpherePackingMapper::GetShaderTemplate(
   if (!this->DrawingScreen())
   {
     vertex = this->DrawingQuads() ? vtkSpherePackingQuadVS : vtkSpherePackingVS;
-    vertex = this->Impl->HasColors ? vtkSpherePackingWithColors(vertex) : vertex;
+    vertex = this->Impl->HasColors ? vtkSpherePackingWithColors(vertex, false) : vertex;
   }
   shaders[vtkShader::Vertex]->SetSource(vertex);
   shaders[vtkShader::Geometry]->SetSource("");
@@ -116,7 +116,9 @@ void vtkOpenGLSpherePackingMapper::ReplaceShaderPositionVC(ShaderMap shaders, vt
 void vtkOpenGLSpherePackingMapper::ReplaceShaderNormal(ShaderMap shaders, vtkRenderer*, vtkActor*)
 {
   Substitute(shaders, vtkShader::Fragment, "//VTK::Normal::Impl",
-    this->DrawingScreen() ? "  vec3 normalVCVSOutput = sphereSurface.xyz;\n"
+    this->DrawingScreen() ? "  vec3 normalVCVSOutput = vec3(sphereNormal,\n"
+                            "    sqrt(max(1.0 - dot(sphereNormal, sphereNormal), 0.0)) *\n"
+                            "      ((sphereSurface.x >> 31) != 0u ? -1.0 : 1.0));\n"
                           : vtkSpherePackingFSNormal);
 }
 
@@ -142,8 +144,12 @@ void vtkOpenGLSpherePackingMapper::ReplaceShaderEdges(ShaderMap shaders, vtkRend
   {
     return;
   }
-  const std::string color = this->DrawingScreen() ? "texelFetch(sphereColors, sphereTexel, 0)"
-                                                   : "sphereColorVSOutput";
+  const bool screen = this->DrawingScreen();
+  const std::string color = screen
+    ? "vec4((uvec4(sphereSurface.y) >> uvec4(0u, 8u, 16u, 24u)) & 255u) / 255.0"
+    : "sphereColorVSOutput";
+  Substitute(shaders, vtkShader::Fragment, "//VTK::Edges::Dec",
+    screen ? "" : "flat in vec4 sphereColorVSOutput;\n");
   Substitute(shaders, vtkShader::Fragment, "//VTK::Edges::Impl",
     "  vec4 sphereColorHere = " + color +
       ";\n"

@@ -53,7 +53,8 @@ const char* const vtkSpherePackingRealTypes =
   "#else\n"
   "#define REAL float\n#define REAL2 vec2\n#define REAL3 vec3\n#define REAL4 vec4\n"
   "#endif\n"
-  "#extension GL_ARB_conservative_depth : enable\n";
+  "#extension GL_ARB_conservative_depth : enable\n"
+  "#extension GL_ARB_shader_bit_encoding : enable\n";
 
 //------------------------------------------------------------------------------
 bool vtkSpherePackingFeatures::operator==(const vtkSpherePackingFeatures& other) const
@@ -76,21 +77,19 @@ std::string vtkSpherePackingHitDeclarations(const vtkSpherePackingFeatures& feat
   text += "#define CLIPPING_PLANES " + std::to_string(features.ClippingPlanes) + "\n";
   text += features.Parallel ? "const bool parallelView = true;\n"
                             : "const bool parallelView = false;\n";
-  if (features.Colors)
-  {
-    text += "#define SPHERES_HAVE_COLORS\n"
-            "flat in vec4 sphereColorVSOutput;\n";
-  }
   return text + vtkSpherePackingFSDeclarations;
 }
 
 //------------------------------------------------------------------------------
-std::string vtkSpherePackingWithColors(std::string vertexShader)
+std::string vtkSpherePackingWithColors(std::string vertexShader, bool packed)
 {
   vtkShaderProgram::Substitute(vertexShader, "//VTK::Color::Dec",
-    "in vec4 sphereColor;\nflat out vec4 sphereColorVSOutput;\n");
-  vtkShaderProgram::Substitute(
-    vertexShader, "//VTK::Color::Impl", "sphereColorVSOutput = sphereColor;\n");
+    packed ? "in vec4 sphereColor;\nflat out uint packedColorVSOutput;\n"
+           : "in vec4 sphereColor;\nflat out vec4 sphereColorVSOutput;\n");
+  vtkShaderProgram::Substitute(vertexShader, "//VTK::Color::Impl",
+    packed ? "uvec4 bytes = uvec4(sphereColor * 255.0 + 0.5);\n"
+             "  packedColorVSOutput = bytes.r | bytes.g << 8 | bytes.b << 16 | bytes.a << 24;\n"
+           : "sphereColorVSOutput = sphereColor;\n");
   return vertexShader;
 }
 

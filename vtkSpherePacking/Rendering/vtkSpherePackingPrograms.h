@@ -32,8 +32,9 @@ extern const char* const vtkSpherePackingRealTypes;
 // The fragment shader's declarations for a hit.
 std::string vtkSpherePackingHitDeclarations(const vtkSpherePackingFeatures& features);
 
-// Passes a sphere's colour on, in place of //VTK::Color::Dec and //VTK::Color::Impl.
-std::string vtkSpherePackingWithColors(std::string vertexShader);
+// Passes a sphere's colour on in place of //VTK::Color::Dec and //VTK::Color::Impl: as
+// vec4 sphereColorVSOutput, or packed in bytes as uint packedColorVSOutput.
+std::string vtkSpherePackingWithColors(std::string vertexShader, bool packed);
 
 // Uniforms of a vertex shader for points.
 void vtkSpherePackingSetPointUniforms(

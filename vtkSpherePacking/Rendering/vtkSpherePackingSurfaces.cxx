@@ -31,7 +31,9 @@ vtkShaderProgram* MakeProgram(
   }
   if (features.Colors)
   {
-    vertex = vtkSpherePackingWithColors(vertex);
+    vertex = vtkSpherePackingWithColors(vertex, true);
+    vtkShaderProgram::Substitute(
+      fragment, "//VTK::System::Dec", "//VTK::System::Dec\n#define SPHERES_HAVE_COLORS\n");
   }
   vtkShaderProgram::Substitute(
     fragment, "//VTK::SpherePacking::Dec", vtkSpherePackingHitDeclarations(features));
@@ -54,17 +56,17 @@ void vtkSpherePackingSurfaces::Prepare(vtkOpenGLRenderWindow* window, const Scen
     !this->Surfaces->GetHandle())
   {
     this->Surfaces->SetContext(window);
-    this->Surfaces->Create2D(width, height, 4, VTK_FLOAT, false);
-    this->Colors->SetContext(window);
-    this->Colors->Create2D(width, height, 4, VTK_UNSIGNED_CHAR, false);
+    this->Surfaces->SetInternalFormat(GL_RGBA32UI);
+    this->Surfaces->SetFormat(GL_RGBA_INTEGER);
+    this->Surfaces->SetDataType(GL_UNSIGNED_INT);
+    this->Surfaces->Create2D(width, height, 4, VTK_UNSIGNED_INT, false);
     this->Depths->SetContext(window);
     this->Depths->AllocateDepth(width, height, vtkTextureObject::Float32);
   }
   this->Framebuffer->Bind();
   this->Framebuffer->AddColorAttachment(0, this->Surfaces);
-  this->Framebuffer->AddColorAttachment(1, this->Colors);
   this->Framebuffer->AddDepthAttachment(this->Depths);
-  this->Framebuffer->ActivateDrawBuffers(scene.Features.Colors ? 2 : 1);
+  this->Framebuffer->ActivateDrawBuffers(1);
 }
 
 //------------------------------------------------------------------------------
@@ -96,6 +98,8 @@ void vtkSpherePackingSurfaces::Draw(vtkOpenGLRenderWindow* window, Scene scene)
   state->vtkglEnable(GL_PROGRAM_POINT_SIZE);
   state->vtkglClearDepth(1.0);
   state->vtkglClear(GL_DEPTH_BUFFER_BIT);
+  const GLuint nothing[4] = { 0x3f800000u, 0, 0, 0 }; // the depth 1
+  glClearBufferuiv(GL_COLOR, 0, nothing);
 
   scene.Features.Quads = false;
   this->DrawStage(window, scene, this->Points);
@@ -168,27 +172,14 @@ void vtkSpherePackingSurfaces::DrawStage(
 //------------------------------------------------------------------------------
 void vtkSpherePackingSurfaces::Activate(vtkShaderProgram* program)
 {
-  const auto bind = [program](vtkTextureObject* texture, const char* name)
-  {
-    if (program->IsUniformUsed(name))
-    {
-      texture->Activate();
-      program->SetUniformi(name, texture->GetTextureUnit());
-    }
-  };
-  bind(this->Surfaces, "sphereSurfaces");
-  bind(this->Colors, "sphereColors");
-  bind(this->Depths, "sphereDepths");
+  this->Surfaces->Activate();
+  program->SetUniformi("sphereSurfaces", this->Surfaces->GetTextureUnit());
 }
 
 //------------------------------------------------------------------------------
 void vtkSpherePackingSurfaces::Deactivate()
 {
-  for (vtkTextureObject* texture :
-    { this->Surfaces.Get(), this->Colors.Get(), this->Depths.Get() })
-  {
-    texture->Deactivate();
-  }
+  this->Surfaces->Deactivate();
 }
 
 //------------------------------------------------------------------------------
@@ -196,7 +187,6 @@ void vtkSpherePackingSurfaces::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Framebuffer->ReleaseGraphicsResources(window);
   this->Surfaces->ReleaseGraphicsResources(window);
-  this->Colors->ReleaseGraphicsResources(window);
   this->Depths->ReleaseGraphicsResources(window);
   this->Points.Helper.ReleaseGraphicsResources(window);
   this->Quads.Helper.ReleaseGraphicsResources(window);

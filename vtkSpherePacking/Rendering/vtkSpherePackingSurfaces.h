@@ -40,10 +40,10 @@ public:
     vtkMTimeType BufferTime; // when a buffer was last made anew
   };
 
-  // Fills the textures, which have the size of the view's viewport.
+  // Fills a texture of the size of the view's viewport.
   void Draw(vtkOpenGLRenderWindow* window, Scene scene);
 
-  // Puts the textures into units and tells the program which; Deactivate() after drawing.
+  // Puts the texture into a unit and tells the program which; Deactivate() after drawing.
   void Activate(vtkShaderProgram* program);
   void Deactivate();
 
@@ -65,7 +65,6 @@ private:
 
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
   vtkNew<vtkTextureObject> Surfaces;
-  vtkNew<vtkTextureObject> Colors;
   vtkNew<vtkTextureObject> Depths;
   Stage Points;
   Stage Quads;
