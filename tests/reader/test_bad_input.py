@@ -302,7 +302,7 @@ def test_truncated_xyzd(read_error, tmp_path):
 
 
 @pytest.mark.parametrize(
-    "sphere, found",
+    ("sphere", "found"),
     [
         ((float("nan"), 0, 0, 1), "found nan as x"),
         ((0, float("inf"), 0, 1), "found inf as y"),
@@ -320,7 +320,7 @@ def test_bad_xyzd(read_error, tmp_path, sphere, found):
 
 
 @pytest.mark.parametrize(
-    "text, found",
+    ("text", "found"),
     [
         ("Final Porosity: 0.3\n", "no such line for 'Theoretical Porosity:'"),
         ("Theoretical Porosity: 0.3\n", "no such line for 'Final Porosity:'"),

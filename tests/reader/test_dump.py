@@ -8,9 +8,17 @@ FORMAT = 20005
 
 def step(time, columns, rows, *, count=None, bounds="pp pp pp", box=("0 10", "0 20", "-5 5")):
     return "\n".join(
-        ["ITEM: TIMESTEP", str(time), "ITEM: NUMBER OF ATOMS"]
-        + [str(len(rows) if count is None else count), f"ITEM: BOX BOUNDS {bounds}", *box]
-        + [f"ITEM: ATOMS {columns}", *rows, ""]
+        [
+            "ITEM: TIMESTEP",
+            str(time),
+            "ITEM: NUMBER OF ATOMS",
+            str(len(rows) if count is None else count),
+            f"ITEM: BOX BOUNDS {bounds}",
+            *box,
+            f"ITEM: ATOMS {columns}",
+            *rows,
+            "",
+        ]
     )
 
 
@@ -60,8 +68,12 @@ def test_scaled_centres_in_a_tilted_box(read_text):
     # By the LAMMPS manual, "Triclinic simulation boxes": bounds hold the corners of the box.
     low, high, xy, xz, yz = np.array([0.0, 1, -1]), np.array([10.0, 21, 4]), 3.0, -2.0, 1.5
     corners = [
-        low
-        + [(high - low)[0] * i + xy * j + xz * k, (high - low)[1] * j + yz * k, (high - low)[2] * k]
+        [
+            *low,
+            (high - low)[0] * i + xy * j + xz * k,
+            (high - low)[1] * j + yz * k,
+            (high - low)[2] * k,
+        ]
         for i in (0, 1)
         for j in (0, 1)
         for k in (0, 1)
@@ -97,7 +109,9 @@ def test_the_first_step_is_the_default(read_text):
     assert read_text(many_steps()[1], "p.dump").n_points == 1
 
 
-@pytest.mark.parametrize("request_time, chosen", [(-1, 0), (0, 0), (499, 0), (500, 1), (1700, 3)])
+@pytest.mark.parametrize(
+    ("request_time", "chosen"), [(-1, 0), (0, 0), (499, 0), (500, 1), (1700, 3)]
+)
 def test_time_steps(tmp_path, request_time, chosen, reader_for):
     import pyvista as pv
 

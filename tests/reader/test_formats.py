@@ -107,7 +107,9 @@ def test_yade_attributes_without_names(read_text):
 
 
 @pytest.mark.parametrize("delimiter", [",", ";", "\t", ", "])
-@pytest.mark.parametrize("size, factor", [("r", 1), ("Radius", 1), ("D", 0.5), ("diameter", 0.5)])
+@pytest.mark.parametrize(
+    ("size", "factor"), [("r", 1), ("Radius", 1), ("D", 0.5), ("diameter", 0.5)]
+)
 def test_csv_header(read_text, delimiter, size, factor):
     header = delimiter.join(["Y", size, "temperature", "x", "z"])
     rows = [[2, 4, 300, 1, 3], [6, 8, 301.5, 5, 7]]
@@ -169,7 +171,7 @@ def test_the_content_tells_where_the_extension_does_not(read_text):
 
 
 @pytest.mark.parametrize(
-    "header, name",
+    ("header", "name"),
     [
         ("größe".encode(), "größe"),
         ("größe".encode("latin-1"), r"gr\xf6\xdfe"),

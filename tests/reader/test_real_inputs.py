@@ -37,7 +37,7 @@ def test_voronota_xyzr(read, real_input):
 
 
 @pytest.mark.parametrize(
-    "name, count", [("apbs_achbp.pqr", 16090), ("apbs_membrane-helix-8.pqr", 317)]
+    ("name", "count"), [("apbs_achbp.pqr", 16090), ("apbs_membrane-helix-8.pqr", 317)]
 )
 def test_apbs_pqr(read, real_input, name, count):
     path = real_input(name)
