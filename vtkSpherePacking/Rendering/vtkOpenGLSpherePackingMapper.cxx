@@ -180,11 +180,12 @@ void vtkOpenGLSpherePackingMapper::RenderPieceDraw(vtkRenderer* ren, vtkActor* a
     !impl.View.HoldsDepthsOf(this->Bounds, impl.Vertices.GetOrigin());
   vtkInformation* keys = act->GetPropertyKeys();
   const bool renderPasses = keys && keys->Has(vtkOpenGLRenderPass::RenderPasses());
-  // Lights once a pixel pay off against an extra pass when there are several of them, or several
-  // samples a pixel, none of which a sphere's silhouette uses.
-  const bool costlyPixels = ren->GetRenderWindow()->GetMultiSamples() > 1 ||
+  // Surfaces first pay off against an extra pass when there are many spheres, several lights, or
+  // several samples a pixel, none of which a sphere's silhouette uses.
+  const bool costly = impl.NumberOfVertices > 20000 ||
+    ren->GetRenderWindow()->GetMultiSamples() > 1 ||
     static_cast<vtkOpenGLRenderer*>(ren)->GetLightingComplexity() > 1;
-  if (costlyPixels && !translucent && !selecting && !renderPasses)
+  if (costly && !translucent && !selecting && !renderPasses)
   {
     this->DrawSurfacesThenLights(ren, act);
     return;
@@ -250,7 +251,9 @@ void vtkOpenGLSpherePackingMapper::DrawSurfacesThenLights(vtkRenderer* ren, vtkA
   scene.ClippingPlanes = this->ComputeClippingPlanes(act);
   scene.MaximumPointSize = impl.MaximumPointSize;
   scene.Vertices = impl.VertexBuffer;
-  scene.NumberOfVertices = static_cast<int>(impl.NumberOfVertices);
+  scene.Phases = vtkSpherePackingMakePhases(impl.Vertices, scene.View);
+  scene.OccluderTile =
+    scene.View.ChooseTile(this->Bounds, impl.Vertices.GetOrigin(), impl.Vertices.GetUsualRadius());
   scene.Quads = impl.QuadBuffer;
   scene.NumberOfQuadVertices = static_cast<int>(impl.NumberOfQuadVertices);
   scene.BufferTime = impl.BufferTime;

@@ -13,7 +13,9 @@
 #include "vtk_glad.h"
 
 #include "vtkSpherePackingFSHit.h"
+#include "vtkSpherePackingOccludersFS.h"
 #include "vtkSpherePackingQuadVS.h"
+#include "vtkSpherePackingScreenVS.h"
 #include "vtkSpherePackingSurfaceFS.h"
 #include "vtkSpherePackingVS.h"
 
@@ -29,6 +31,8 @@ vtkShaderProgram* MakeProgram(
   {
     vtkShaderProgram::Substitute(*source, "//VTK::System::Dec", vtkSpherePackingRealTypes);
   }
+  vtkShaderProgram::Substitute(
+    vertex, "//VTK::System::Dec", "//VTK::System::Dec\n#define SPHERES_MAY_BE_HIDDEN\n");
   if (features.Colors)
   {
     vertex = vtkSpherePackingWithColors(vertex, true);
@@ -101,19 +105,21 @@ void vtkSpherePackingSurfaces::Draw(vtkOpenGLRenderWindow* window, Scene scene)
   const GLuint nothing[4] = { 0x3f800000u, 0, 0, 0 }; // the depth 1
   glClearBufferuiv(GL_COLOR, 0, nothing);
 
-  scene.Features.Quads = false;
-  this->DrawStage(window, scene, this->Points);
-  if (scene.NumberOfQuadVertices > 0)
+  this->DrawQuads(window, scene); // the largest, so they hide most
+  for (std::size_t phase = 0; phase < scene.Phases.size(); ++phase)
   {
-    scene.Features.Quads = true;
-    this->DrawStage(window, scene, this->Quads);
+    if (phase > 0)
+    {
+      this->FindOccluders(window, scene);
+    }
+    this->DrawPoints(window, scene, phase);
   }
   state->PopFramebufferBindings();
   vtkOpenGLStaticCheckErrorMacro("failed after finding the surfaces of spheres");
 }
 
 //------------------------------------------------------------------------------
-void vtkSpherePackingSurfaces::DrawStage(
+bool vtkSpherePackingSurfaces::Ready(
   vtkOpenGLRenderWindow* window, const Scene& scene, Stage& stage)
 {
   vtkOpenGLHelper& helper = stage.Helper;
@@ -135,7 +141,7 @@ void vtkSpherePackingSurfaces::DrawStage(
   vtkShaderProgram* program = helper.Program;
   if (!program)
   {
-    return; // VTK has reported what does not compile
+    return false; // VTK has reported what does not compile
   }
   helper.VAO->Bind();
   if (scene.BufferTime > helper.AttributeUpdateTime)
@@ -157,16 +163,90 @@ void vtkSpherePackingSurfaces::DrawStage(
     program->SetUniform4fv("sphereClipPlanes", static_cast<int>(scene.ClippingPlanes.size()),
       scene.ClippingPlanes.front().data());
   }
-  if (scene.Features.Quads)
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkSpherePackingSurfaces::DrawQuads(vtkOpenGLRenderWindow* window, const Scene& scene)
+{
+  Scene quads = scene;
+  quads.Features.Quads = true;
+  if (scene.NumberOfQuadVertices > 0 && this->Ready(window, quads, this->Quads))
   {
     glDrawArrays(GL_TRIANGLES, 0, scene.NumberOfQuadVertices);
+    this->Quads.Helper.VAO->Release();
   }
-  else
+}
+
+//------------------------------------------------------------------------------
+void vtkSpherePackingSurfaces::DrawPoints(
+  vtkOpenGLRenderWindow* window, const Scene& scene, std::size_t phase)
+{
+  const vtkSpherePackingRuns& runs = scene.Phases[phase];
+  if (runs.Firsts.empty() || !this->Ready(window, scene, this->Points))
   {
-    vtkSpherePackingSetPointUniforms(program, scene.View, scene.MaximumPointSize);
-    glDrawArrays(GL_POINTS, 0, scene.NumberOfVertices);
+    return;
   }
-  helper.VAO->Release();
+  vtkShaderProgram* program = this->Points.Helper.Program;
+  vtkSpherePackingSetPointUniforms(program, scene.View, scene.MaximumPointSize);
+  const bool look = phase > 0;
+  program->SetUniformi("occluderTile", look ? scene.OccluderTile : 0);
+  if (look)
+  {
+    this->Occluders->Activate();
+    program->SetUniformi("occluders", this->Occluders->GetTextureUnit());
+  }
+  glMultiDrawArrays(
+    GL_POINTS, runs.Firsts.data(), runs.Counts.data(), static_cast<GLsizei>(runs.Firsts.size()));
+  if (look)
+  {
+    this->Occluders->Deactivate();
+  }
+  this->Points.Helper.VAO->Release();
+}
+
+//------------------------------------------------------------------------------
+void vtkSpherePackingSurfaces::FindOccluders(vtkOpenGLRenderWindow* window, const Scene& scene)
+{
+  const auto tiles = [&](double pixels)
+  { return (static_cast<unsigned int>(pixels) + scene.OccluderTile - 1) / scene.OccluderTile; };
+  const unsigned int width = tiles(scene.View.Viewport[2]);
+  const unsigned int height = tiles(scene.View.Viewport[3]);
+  if (this->Occluders->GetWidth() != width || this->Occluders->GetHeight() != height ||
+    !this->Occluders->GetHandle())
+  {
+    this->Occluders->SetContext(window);
+    this->Occluders->SetInternalFormat(GL_R32F);
+    this->Occluders->SetFormat(GL_RED);
+    this->Occluders->SetDataType(GL_FLOAT);
+    this->Occluders->Create2D(width, height, 1, VTK_FLOAT, false);
+  }
+  vtkOpenGLState* state = window->GetState();
+  vtkOpenGLState::ScopedglViewport viewport(state);
+  vtkOpenGLState::ScopedglScissor scissor(state);
+  vtkOpenGLState::ScopedglEnableDisable test(state, GL_DEPTH_TEST);
+  state->PushFramebufferBindings();
+  this->OccluderFramebuffer->SetContext(window);
+  this->OccluderFramebuffer->Bind();
+  this->OccluderFramebuffer->AddColorAttachment(0, this->Occluders);
+  this->OccluderFramebuffer->ActivateDrawBuffers(1);
+  state->vtkglViewport(0, 0, static_cast<int>(width), static_cast<int>(height));
+  state->vtkglScissor(0, 0, static_cast<int>(width), static_cast<int>(height));
+  state->vtkglDisable(GL_DEPTH_TEST);
+
+  vtkShaderProgram* program = window->GetShaderCache()->ReadyShaderProgram(
+    vtkSpherePackingScreenVS, vtkSpherePackingOccludersFS, "");
+  if (program)
+  {
+    this->Depths->Activate();
+    program->SetUniformi("sphereDepths", this->Depths->GetTextureUnit());
+    program->SetUniformi("occluderTile", scene.OccluderTile);
+    this->OccluderHelper.VAO->Bind();
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    this->OccluderHelper.VAO->Release();
+    this->Depths->Deactivate();
+  }
+  state->PopFramebufferBindings();
 }
 
 //------------------------------------------------------------------------------
@@ -188,6 +268,9 @@ void vtkSpherePackingSurfaces::ReleaseGraphicsResources(vtkWindow* window)
   this->Framebuffer->ReleaseGraphicsResources(window);
   this->Surfaces->ReleaseGraphicsResources(window);
   this->Depths->ReleaseGraphicsResources(window);
+  this->OccluderFramebuffer->ReleaseGraphicsResources(window);
+  this->Occluders->ReleaseGraphicsResources(window);
+  this->OccluderHelper.ReleaseGraphicsResources(window);
   this->Points.Helper.ReleaseGraphicsResources(window);
   this->Quads.Helper.ReleaseGraphicsResources(window);
 }

@@ -4,13 +4,14 @@
 // Many spheres of a packing are hidden by others, and hidden fragments cannot be told in time since
 // each writes its own depth. So only normal, depth and colour are written per fragment, with one
 // sample a pixel; the lights follow once a pixel. (Saito and Takahashi, "Comprehensible Rendering
-// of 3-D Shapes", 1990.)
+// of 3-D Shapes", 1990.) And spheres behind what earlier phases drew are dropped as a whole.
 #ifndef vtkSpherePackingSurfaces_h
 #define vtkSpherePackingSurfaces_h
 
 #include "vtkABINamespace.h"
 #include "vtkNew.h"
 #include "vtkOpenGLHelper.h"
+#include "vtkSpherePackingPhases.h"
 #include "vtkSpherePackingPrograms.h"
 #include "vtkTimeStamp.h"
 
@@ -34,7 +35,8 @@ public:
     std::vector<std::array<float, 4>> ClippingPlanes;
     float MaximumPointSize;
     vtkOpenGLBufferObject* Vertices;
-    int NumberOfVertices;
+    std::vector<vtkSpherePackingRuns> Phases; // of vertices
+    int OccluderTile; // pixels along a side, about as many as a usual sphere has
     vtkOpenGLBufferObject* Quads;
     int NumberOfQuadVertices;
     vtkMTimeType BufferTime; // when a buffer was last made anew
@@ -61,11 +63,17 @@ private:
   };
 
   void Prepare(vtkOpenGLRenderWindow* window, const Scene& scene);
-  void DrawStage(vtkOpenGLRenderWindow* window, const Scene& scene, Stage& stage);
+  bool Ready(vtkOpenGLRenderWindow* window, const Scene& scene, Stage& stage);
+  void DrawQuads(vtkOpenGLRenderWindow* window, const Scene& scene);
+  void DrawPoints(vtkOpenGLRenderWindow* window, const Scene& scene, std::size_t phase);
+  void FindOccluders(vtkOpenGLRenderWindow* window, const Scene& scene);
 
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
   vtkNew<vtkTextureObject> Surfaces;
   vtkNew<vtkTextureObject> Depths;
+  vtkNew<vtkOpenGLFramebufferObject> OccluderFramebuffer;
+  vtkNew<vtkTextureObject> Occluders;
+  vtkOpenGLHelper OccluderHelper;
   Stage Points;
   Stage Quads;
 };

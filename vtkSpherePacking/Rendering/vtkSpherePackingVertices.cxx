@@ -12,12 +12,54 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
-#include <numeric>
+#include <cstdint>
+#include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
-constexpr vtkIdType BlockSize = 1024;
+constexpr vtkIdType BlockSize = 256;
+
+// 21 bits of each coordinate, interleaved: points that are near in this order are near in space.
+// (Morton, "A Computer Oriented Geodetic Data Base", 1966.)
+struct MortonKeys
+{
+  std::vector<std::pair<std::uint64_t, vtkIdType>> Keys;
+
+  static std::uint64_t Spread(std::uint64_t x)
+  {
+    x = (x | x << 32) & 0x001f00000000ffffull;
+    x = (x | x << 16) & 0x001f0000ff0000ffull;
+    x = (x | x << 8) & 0x100f00f00f00f00full;
+    x = (x | x << 4) & 0x10c30c30c30c30c3ull;
+    x = (x | x << 2) & 0x1249249249249249ull;
+    return x;
+  }
+
+  template <typename PointsT>
+  void operator()(PointsT* points, const double bounds[6])
+  {
+    const auto centres = vtk::DataArrayTupleRange<3>(points);
+    this->Keys.resize(centres.size());
+    const double length =
+      std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
+    const double scale = length > 0.0 ? ((1 << 21) - 1) / length : 0.0;
+    vtkSMPTools::For(0, centres.size(),
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          std::uint64_t key = 0;
+          for (int axis = 0; axis < 3; ++axis)
+          {
+            const double x = static_cast<double>(centres[i][axis]) - bounds[2 * axis];
+            key |= Spread(static_cast<std::uint64_t>(x * scale)) << axis;
+          }
+          this->Keys[i] = { key, i };
+        }
+      });
+  }
+};
 
 struct FillGeometry
 {
@@ -80,7 +122,6 @@ std::vector<vtkSpherePackingVertex> vtkSpherePackingVertices::Build(
   const vtkIdType count = packing->GetNumberOfPoints();
   std::vector<vtkSpherePackingVertex> vertices(count);
   this->PointIds.resize(count);
-  std::iota(this->PointIds.begin(), this->PointIds.end(), 0);
 
   double bounds[6];
   packing->GetPoints()->GetBounds(bounds);
@@ -89,8 +130,9 @@ std::vector<vtkSpherePackingVertex> vtkSpherePackingVertices::Build(
     this->Origin[axis] = 0.5 * (bounds[2 * axis] + bounds[2 * axis + 1]);
   }
 
-  FillGeometry fill;
   vtkDataArray* points = packing->GetPoints()->GetData();
+  this->SortIds(points, bounds);
+  FillGeometry fill;
   using Dispatcher =
     vtkArrayDispatch::Dispatch2ByValueType<vtkArrayDispatch::Reals, vtkArrayDispatch::AllTypes>;
   if (!Dispatcher::Execute(points, radii, fill, this->Origin, this->PointIds, vertices))
@@ -111,9 +153,40 @@ std::vector<vtkSpherePackingVertex> vtkSpherePackingVertices::Build(
 }
 
 //------------------------------------------------------------------------------
+void vtkSpherePackingVertices::SortIds(vtkDataArray* points, const double bounds[6])
+{
+  MortonKeys keys;
+  if (!vtkArrayDispatch::DispatchByValueType<vtkArrayDispatch::Reals>::Execute(
+        points, keys, bounds))
+  {
+    keys(points, bounds);
+  }
+  vtkSMPTools::Sort(keys.Keys.begin(), keys.Keys.end());
+  vtkSMPTools::For(0, static_cast<vtkIdType>(keys.Keys.size()),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        this->PointIds[i] = keys.Keys[i].second;
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
 void vtkSpherePackingVertices::BuildBlocks(const std::vector<vtkSpherePackingVertex>& vertices)
 {
   const vtkIdType count = static_cast<vtkIdType>(vertices.size());
+  std::vector<float> radii;
+  for (vtkIdType i = 0; i < count; i += 1 + count / 4096)
+  {
+    radii.push_back(vertices[i].Radius);
+  }
+  if (!radii.empty())
+  {
+    const auto usual = radii.begin() + 3 * radii.size() / 4;
+    std::nth_element(radii.begin(), usual, radii.end());
+    this->UsualRadius = *usual;
+  }
   this->Blocks.resize((count + BlockSize - 1) / BlockSize);
   vtkSMPTools::For(0, static_cast<vtkIdType>(this->Blocks.size()),
     [&](vtkIdType begin, vtkIdType end)

@@ -42,7 +42,8 @@ struct vtkSpherePackingBlock
 class vtkSpherePackingVertices
 {
 public:
-  // One vertex a sphere. `colors` may be null or have one tuple of 1 to 4 components a point.
+  // One vertex a sphere, neighbours in space near each other. `colors` may be null or have one
+  // tuple of 1 to 4 components a point.
   std::vector<vtkSpherePackingVertex> Build(
     vtkPolyData* packing, vtkDataArray* radii, vtkUnsignedCharArray* colors);
 
@@ -50,13 +51,17 @@ public:
   // The point that each vertex was made from.
   const std::vector<vtkIdType>& GetPointIds() const { return this->PointIds; }
   const std::vector<vtkSpherePackingBlock>& GetBlocks() const { return this->Blocks; }
+  // A radius that three of four spheres do not exceed.
+  double GetUsualRadius() const { return this->UsualRadius; }
 
 private:
+  void SortIds(vtkDataArray* points, const double bounds[6]);
   void BuildBlocks(const std::vector<vtkSpherePackingVertex>& vertices);
 
   std::array<double, 3> Origin{ 0.0, 0.0, 0.0 };
   std::vector<vtkIdType> PointIds;
   std::vector<vtkSpherePackingBlock> Blocks;
+  double UsualRadius = 0.0;
 };
 VTK_ABI_NAMESPACE_END
 

@@ -143,6 +143,25 @@ bool vtkSpherePackingView::HoldsDepthsOf(
 }
 
 //------------------------------------------------------------------------------
+int vtkSpherePackingView::ChooseTile(
+  const double bounds[6], const std::array<double, 3>& origin, double radius) const
+{
+  std::array<double, 3> middle;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    middle[axis] = 0.5 * (bounds[2 * axis] + bounds[2 * axis + 1]) - origin[axis];
+  }
+  const double depth = this->Parallel ? 1.0 : std::max(-this->ToView(middle)[2], this->Near);
+  const double pixels = 2.0 * radius * this->RadiusScale * std::abs(this->PixelMap[1]) / depth;
+  int tile = 4;
+  while (tile < pixels && tile < 32)
+  {
+    tile *= 2;
+  }
+  return tile;
+}
+
+//------------------------------------------------------------------------------
 std::array<float, 4> vtkSpherePackingView::ToNearPlaneSpace(
   const double plane[4], const std::array<double, 3>& origin) const
 {

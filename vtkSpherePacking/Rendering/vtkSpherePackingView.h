@@ -38,6 +38,10 @@ struct vtkSpherePackingView
   // Whether all of a box of data coordinates lies between the near and the far plane.
   bool HoldsDepthsOf(const double bounds[6], const std::array<double, 3>& origin) const;
 
+  // Pixels along a side of a square about as large as a sphere of that radius in the middle of a
+  // box of data coordinates, a power of two from 4 to 32.
+  int ChooseTile(const double bounds[6], const std::array<double, 3>& origin, double radius) const;
+
   // The plane a x + b y + c z + d of data coordinates as coefficients for positions whose z is
   // relative to the near plane (see vtkSpherePackingFSDeclarations.glsl).
   std::array<float, 4> ToNearPlaneSpace(

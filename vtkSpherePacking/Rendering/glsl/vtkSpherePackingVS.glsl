@@ -24,6 +24,10 @@ uniform float radiusScale;
 uniform float maximumPointSize; // in pixels; larger spheres are drawn as quads,
 uniform float maximumDepthShare; // and so are those that fill more than this of the depth buffer
 uniform int cameraParallel;
+#ifdef SPHERES_MAY_BE_HIDDEN
+uniform sampler2D occluders; // the farthest depth of each tile of pixels
+uniform int occluderTile; // in pixels; 0 before anything was drawn
+#endif
 
 flat out vec4 sphereReferenceVSOutput;
 flat out vec4 sphereShapeVSOutput;
@@ -91,6 +95,27 @@ void main()
     return;
   }
 
+  float front = max(float(distance - r - range.x), 0.0);
+  float depth = cameraParallel != 0 ? front / float(range.y - range.x)
+                                    : front * float(range.y / (range.y - range.x)) /
+      (front + float(range.x));
+  depth *= 1.0 - 1.0e-6; // in front of every fragment, whatever the rounding
+#ifdef SPHERES_MAY_BE_HIDDEN
+  if (occluderTile > 0)
+  {
+    ivec2 a = ivec2(first) / occluderTile;
+    ivec2 b = ivec2(last) / occluderTile;
+    float farthest = max(
+      max(texelFetch(occluders, a, 0).r, texelFetch(occluders, ivec2(b.x, a.y), 0).r),
+      max(texelFetch(occluders, ivec2(a.x, b.y), 0).r, texelFetch(occluders, b, 0).r));
+    // Larger ones would have tiles between these.
+    if (depth > farthest && max(b.x - a.x, b.y - a.y) < 2)
+    {
+      return;
+    }
+  }
+#endif
+
   // Clamped, since a point whose middle is outside the viewport is dropped as a whole.
   vec2 middlePixel = min(first + 0.5 * size, viewport.zw);
   vec2 reference = floor(vec2(center)) + 0.5; // floats hold it exactly
@@ -99,11 +124,6 @@ void main()
     vec4(reference + viewport.xy, vec2((REAL2(reference) - center) * reach / map.xy));
   sphereShapeVSOutput =
     vec4(float(reach), float(r), float(distance - range.x), float(range.y - distance));
-
-  float front = max(float(distance - r - range.x), 0.0);
-  float depth = cameraParallel != 0 ? front / float(range.y - range.x)
-                                    : front * float(range.y / (range.y - range.x)) /
-      (front + float(range.x));
-  gl_Position = vec4(2.0 * middlePixel / viewport.zw - 1.0, 2.0 * depth * (1.0 - 1.0e-6) - 1.0, 1.0);
+  gl_Position = vec4(2.0 * middlePixel / viewport.zw - 1.0, 2.0 * depth - 1.0, 1.0);
   gl_PointSize = size;
 }
