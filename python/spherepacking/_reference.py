@@ -89,6 +89,8 @@ def _pixel_box(
     """Return pixels (x0, x1, y0, y1) outside which the sphere is not seen; generous."""
     corners = center + radius * (np.indices((2, 2, 2)).reshape(3, 8).T * 2.0 - 1.0)
     clip = corners @ to_device[:, :3].T + to_device[:, 3]
+    if np.all(clip[:, 3] <= 0.0):  # behind the eye
+        return 0, 0, 0, 0
     if np.any(clip[:, 3] <= 0.0):  # reaches behind the eye
         return 0, size[0], 0, size[1]
     box = []

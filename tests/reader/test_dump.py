@@ -67,13 +67,9 @@ def test_scaled_centres_in_a_straight_box(read_text, family, single):
 def test_scaled_centres_in_a_tilted_box(read_text):
     # By the LAMMPS manual, "Triclinic simulation boxes": bounds hold the corners of the box.
     low, high, xy, xz, yz = np.array([0.0, 1, -1]), np.array([10.0, 21, 4]), 3.0, -2.0, 1.5
+    size = high - low
     corners = [
-        [
-            *low,
-            (high - low)[0] * i + xy * j + xz * k,
-            (high - low)[1] * j + yz * k,
-            (high - low)[2] * k,
-        ]
+        low + np.array([size[0] * i + xy * j + xz * k, size[1] * j + yz * k, size[2] * k])
         for i in (0, 1)
         for j in (0, 1)
         for k in (0, 1)

@@ -59,9 +59,19 @@ def test_apollonian_packing_of_mutually_tangent_spheres():
     check(packing.points, packing["radius"], Camera((1.6, 1.2, 1.4)))
 
 
-def test_polydisperse_packing():
-    packing = _scenes.knot_tube(20000)
-    check(packing.points, packing["radius"], Camera(), (600, 600))
+@pytest.mark.parametrize(
+    "camera",
+    [
+        Camera(),
+        Camera(parallel_scale=1.8),
+        Camera((0.9, 0.0, 0.3), (0.0, 0.9, 0.0), view_angle=90.0),
+    ],
+    ids=["outside", "parallel", "inside the tube"],
+)
+def test_packing_of_which_most_is_hidden(camera):
+    # Enough spheres that those behind what is drawn already are dropped before they are drawn.
+    packing = _scenes.knot_tube(25_000)
+    check(packing.points, packing["radius"], camera, (360, 360))
 
 
 @pytest.mark.parametrize("parallel_scale", [None, 1.5])
