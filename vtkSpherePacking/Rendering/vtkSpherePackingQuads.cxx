@@ -188,9 +188,14 @@ void AppendQuad(std::vector<vtkSpherePackingQuadVertex>& quads, vtkSpherePacking
   }
 }
 
-// Whether any sphere of the block can need a quad. The size of a point is at most
-// 2 r f / sqrt(d^2 - r^2) with d the distance to the eye and f the larger pixel factor, stretched
-// towards the corners of the window by at most 1 + slope^2.
+// Whether any sphere of the block can need a quad.
+//
+// What of a sphere is seen lies in the block's box, so its depth is at least the distance of the
+// eye to the box, divided by the length of the ray through a corner of the window at depth 1; its
+// centre is at most r nearer. At a depth z of 4 r or more an outline is
+// 2 r f sqrt(x^2 + z^2 - r^2) / (z^2 - r^2) pixels long with f the pixel factor, where x / z
+// exceeds the slope to the corner by at most r / z times that length: less than 1.34 corner 2 r f /
+// z.
 bool MayNeedQuads(const vtkSpherePackingBlock& block, const vtkSpherePackingView& view,
   const std::array<double, 3>& origin, double maximumPointSize)
 {
@@ -216,10 +221,9 @@ bool MayNeedQuads(const vtkSpherePackingBlock& block, const vtkSpherePackingView
       view.PixelMap[axis];
     corner += slope * slope;
   }
-  // In front of the eye, depth >= distance / corner for what is in the window.
   const double depth = std::sqrt(squared) * view.RadiusScale / std::sqrt(corner) - r;
   return depth <= 0.0 || IsClose(depth, r, view) ||
-    2.0 * r * pixels * corner / depth >= maximumPointSize - 2.0;
+    1.34 * corner * 2.0 * r * pixels / depth >= maximumPointSize - 2.0;
 }
 }
 
