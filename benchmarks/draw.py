@@ -1,6 +1,7 @@
 """Speed and error of the sphere mapper, against flat discs and float64 rays.
 
-    python benchmarks/draw.py [--counts 50000 300000 1000000] [--data FOLDER] [--no-speed | --no-error]
+    python benchmarks/draw.py [--counts 50000 300000 1000000] [--data FOLDER]
+                              [--no-speed | --no-error]
 
 Prints two tables and exits with status 1 when a bar is not met.
 
@@ -9,9 +10,9 @@ hit pixels, and one more), pixels of another sphere, and the depth error in step
 buffer (99.9 % of the pixels within 2 steps).
 
 Speed: a frame of 1000 x 1000 pixels takes at most 1.25 times that of vtkPointGaussianMapper drawing
-the same packing as flat discs, in quads as tight as it makes them (BoundScale 1). The two take turns
-in one process; the medians leave the first turn out. The lights are VTK's single headlight and the
-five of PyVista; the samples per pixel none and PyVista's default.
+the same packing as flat discs, in quads as tight as it makes them (BoundScale 1). The two take
+turns in one process; the medians leave the first turn out. The lights are VTK's single headlight
+and the five of PyVista; the samples per pixel none and PyVista's default.
 """
 
 from __future__ import annotations
@@ -25,10 +26,9 @@ from pathlib import Path
 
 import numpy as np
 import pyvista as pv
+import spherepacking
 from rich.console import Console
 from rich.table import Table
-
-import spherepacking
 from spherepacking import _accuracy, _reference, _scenes
 from spherepacking._offscreen import choose_window
 
@@ -104,18 +104,34 @@ def errors_of(packing: pv.PolyData, view: dict) -> tuple[_accuracy.Errors, float
 
 def error_table(data: Path, console: Console) -> bool:
     table = Table(title="Error against float64 rays, 1000 x 1000 pixels")
-    for name in ("scene", "spheres", "hit pixels", "silhouette wrong", "bar", "other sphere",
-                 "depth steps, median", "99.9 %", "frame, ms", ""):
+    for name in (
+        "scene",
+        "spheres",
+        "hit pixels",
+        "silhouette wrong",
+        "bar",
+        "other sphere",
+        "depth steps, median",
+        "99.9 %",
+        "frame, ms",
+        "",
+    ):
         table.add_column(name, justify="left" if name == "scene" else "right")
     good = True
     for name, packing, view in scenes(data):
         errors, seconds = errors_of(packing, view)
         good &= errors.good
         table.add_row(
-            name, f"{packing.n_points}", f"{errors.hit_pixels}", f"{errors.silhouette_wrong}",
-            f"<= {errors.silhouette_allowed}", f"{errors.sphere_wrong}",
-            f"{errors.depth_steps_median:.2f}", f"{errors.depth_steps_999:.2f}",
-            f"{1e3 * seconds:.0f}", "met" if errors.good else "NOT MET",
+            name,
+            f"{packing.n_points}",
+            f"{errors.hit_pixels}",
+            f"{errors.silhouette_wrong}",
+            f"<= {errors.silhouette_allowed}",
+            f"{errors.sphere_wrong}",
+            f"{errors.depth_steps_median:.2f}",
+            f"{errors.depth_steps_999:.2f}",
+            f"{1e3 * seconds:.0f}",
+            "met" if errors.good else "NOT MET",
         )
     console.print(table)
     return good
@@ -184,8 +200,13 @@ def speed_table(counts: list[int], turns: int, console: Console) -> bool:
                 ratio = seconds["spheres"] / seconds["discs"]
                 good &= ratio <= BAR
                 table.add_row(
-                    f"{count}", lights, f"{samples}", f"{1e3 * seconds['discs']:.0f}",
-                    f"{1e3 * seconds['spheres']:.0f}", f"{ratio:.2f}", f"<= {BAR}",
+                    f"{count}",
+                    lights,
+                    f"{samples}",
+                    f"{1e3 * seconds['discs']:.0f}",
+                    f"{1e3 * seconds['spheres']:.0f}",
+                    f"{ratio:.2f}",
+                    f"<= {BAR}",
                     "met" if ratio <= BAR else "NOT MET",
                 )
     console.print(table)
@@ -197,9 +218,12 @@ def main() -> int:
     parser.add_argument("--counts", type=int, nargs="+", default=[50_000, 300_000, 1_000_000])
     parser.add_argument("--turns", type=int, default=7, help="timed frames of each")
     default = Path(__file__).resolve().parents[2] / "shared" / "data"
-    parser.add_argument("--data", type=Path,
-                        default=Path(os.environ.get("SPHEREPACKING_DATA", default)),
-                        help="folder of real packings; scenes of absent files are left out")
+    parser.add_argument(
+        "--data",
+        type=Path,
+        default=Path(os.environ.get("SPHEREPACKING_DATA", default)),
+        help="folder of real packings; scenes of absent files are left out",
+    )
     parser.add_argument("--no-speed", action="store_true")
     parser.add_argument("--no-error", action="store_true")
     arguments = parser.parse_args()

@@ -10,9 +10,8 @@ import numpy as np
 from spherepacking import _reference
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
     import pyvista as pv
+    from numpy.typing import NDArray
 
 
 @dataclass(frozen=True)

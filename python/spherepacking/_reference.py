@@ -11,9 +11,8 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike, NDArray
-
     import pyvista as pv
+    from numpy.typing import ArrayLike, NDArray
 
 
 class Picture(NamedTuple):

@@ -5,7 +5,6 @@ from dataclasses import dataclass, field
 
 import numpy as np
 import pyvista as pv
-
 from spherepacking import _accuracy, _reference
 
 

@@ -2,14 +2,13 @@
 
 import numpy as np
 import pytest
-from scenes import Camera, draw_and_cast
-
 import spherepacking
+from scenes import Camera, draw_and_cast
 from spherepacking import _accuracy, _scenes
 
 
 def check(centers, radii, camera, size=(400, 400), sphere_wrong=1e-4):
-    """Compare and return the errors; `sphere_wrong` bounds the share of pixels of a wrong sphere."""
+    """Compare and return the errors; `sphere_wrong` bounds the share of a wrong sphere's pixels."""
     for samples in (None, 0):
         drawn, reference = draw_and_cast(
             np.asarray(centers), np.asarray(radii), camera, size, samples=samples
@@ -70,8 +69,11 @@ def test_radius_ratio_of_a_million(rng, parallel_scale):
     centers = rng.normal(size=(2000, 3))
     centers *= 1.0 / np.linalg.norm(centers, axis=1, keepdims=True)
     radii = 10.0 ** rng.uniform(-6, -1, 2000)
-    check(np.vstack([ONE, centers]), np.concatenate([[1.0], radii]),
-          Camera((2, 2, 2), parallel_scale=parallel_scale))
+    check(
+        np.vstack([ONE, centers]),
+        np.concatenate([[1.0], radii]),
+        Camera((2, 2, 2), parallel_scale=parallel_scale),
+    )
 
 
 @pytest.mark.parametrize("size", [(1, 1), (7, 300), (300, 7), (257, 129)])
@@ -131,8 +133,13 @@ def test_no_jitter_at_1e7(rng, parallel_scale):
     offset = np.array([1e7, -1e7, 0.5e7])
     pictures = []
     for shift in (np.zeros(3), offset):
-        camera = Camera(tuple(shift + grid * np.round(0.02 / grid)), tuple(shift), view_angle=30,
-                        parallel_scale=parallel_scale, clipping_range=(0.02, 0.06))
+        camera = Camera(
+            tuple(shift + grid * np.round(0.02 / grid)),
+            tuple(shift),
+            view_angle=30,
+            parallel_scale=parallel_scale,
+            clipping_range=(0.02, 0.06),
+        )
         drawn, _ = draw_and_cast(centers + shift, radii, camera)
         pictures.append(drawn)
     ids = [picture.sphere_id for picture in pictures]

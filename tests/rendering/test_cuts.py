@@ -4,7 +4,6 @@ import numpy as np
 import pytest
 import pyvista as pv
 from scenes import Camera, draw_and_cast, make_packing, show
-
 from spherepacking import _accuracy, _reference
 
 
@@ -13,8 +12,9 @@ from spherepacking import _accuracy, _reference
 def test_near_plane_shows_the_inside(rng, parallel_scale, samples):
     centers = rng.uniform(-1, 1, (300, 3))
     radii = rng.uniform(0.05, 0.4, 300)
-    camera = Camera((0, 0, 4), up=(0, 1, 0), parallel_scale=parallel_scale,
-                    clipping_range=(4.0, 6.0))
+    camera = Camera(
+        (0, 0, 4), up=(0, 1, 0), parallel_scale=parallel_scale, clipping_range=(4.0, 6.0)
+    )
     drawn, reference = draw_and_cast(centers, radii, camera, samples=samples)
     errors = _accuracy.compare(drawn, reference)
     assert errors.good, errors

@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 import pyvista as pv
 from scenes import Camera, draw_and_cast, make_packing, show
-
 from spherepacking import _accuracy
 from spherepacking._backend import VTK_ROOT, vtkOpenGLSpherePackingMapper
 
@@ -155,7 +154,10 @@ def test_stretching_matrix_is_an_error():
 
 
 def test_camera_in_its_focal_point_is_an_error():
-    with show(make_packing(ROW, [1.0, 1.0, 1.0]), FRONT, (50, 50), color="white") as (plotter, actor):
+    with show(make_packing(ROW, [1.0, 1.0, 1.0]), FRONT, (50, 50), color="white") as (
+        plotter,
+        actor,
+    ):
         errors = []
         actor.mapper.AddObserver("ErrorEvent", lambda *_: errors.append(1))
         plotter.camera.focal_point = plotter.camera.position
@@ -186,8 +188,9 @@ def test_scalars_through_a_colour_map():
     packing.point_data["height"] = [0.0, 0.5, 1.0]
     with show(packing, FRONT, SIZE, scalars="height", cmap="viridis") as (plotter, _):
         seen = at_middles(plotter.screenshot(return_img=True))
-    expected = [pv.LookupTable("viridis", scalar_range=(0, 1)).map_value(v)[:3]
-                for v in (0.0, 0.5, 1.0)]
+    expected = [
+        pv.LookupTable("viridis", scalar_range=(0, 1)).map_value(v)[:3] for v in (0.0, 0.5, 1.0)
+    ]
     np.testing.assert_allclose(seen, np.array(expected) * 255, atol=1)
 
 
@@ -290,8 +293,10 @@ def test_specular_highlight_is_where_the_light_reflects():
 def blended(opacity, **words):
     packing = make_packing([[0.0, 0.0, 1.0], [0.0, 0.0, -1.0]], [0.5, 0.8])
     colors = np.array([[255, 0, 0], [0, 0, 255]], dtype=np.uint8)
-    with show(packing, FRONT, (200, 200), scalars=colors, rgb=True, opacity=opacity,
-              **words) as (plotter, actor):
+    with show(packing, FRONT, (200, 200), scalars=colors, rgb=True, opacity=opacity, **words) as (
+        plotter,
+        actor,
+    ):
         # VTK peels nothing from a window with several samples a pixel, meshes included.
         plotter.render_window.SetMultiSamples(0)
         plotter.enable_depth_peeling(8)
@@ -363,7 +368,9 @@ def test_hardware_selection_returns_the_point_id(rng, association):
 def test_spheres_and_meshes_hide_each_other():
     packing = make_packing([[0.0, 0.0, 0.0]], [1.0])
     with show(packing, FRONT, (200, 200), color="white") as (plotter, _):
-        plotter.add_mesh(pv.Plane(center=(0, 0, 0.6), i_size=6, j_size=6), color="red", lighting=False)
+        plotter.add_mesh(
+            pv.Plane(center=(0, 0, 0.6), i_size=6, j_size=6), color="red", lighting=False
+        )
         plotter.render()
         picture = plotter.screenshot(return_img=True).astype(int)
     white = picture[..., 1] > 128

@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 from scenes import Camera, make_packing, show
-
 from spherepacking import _reference
 
 
@@ -48,8 +47,11 @@ def test_cast_equals_long_double_brute_force(rng, parallel_scale):
 
 def test_projected_disc_in_parallel_view():
     size = (200, 200)
-    with show(make_packing([[0.0, 0.0, 0.0]], [1.0]), Camera((0, 0, 5), up=(0, 1, 0),
-              parallel_scale=2.0), size) as (plotter, _):
+    with show(
+        make_packing([[0.0, 0.0, 0.0]], [1.0]),
+        Camera((0, 0, 5), up=(0, 1, 0), parallel_scale=2.0),
+        size,
+    ) as (plotter, _):
         to_device = _reference.projection(plotter.renderer)
         near, far = plotter.camera.clipping_range
     picture = _reference.cast([[0.0, 0.0, 0.0]], [1.0], to_device, size)

@@ -149,8 +149,8 @@ void vtkOpenGLSpherePackingMapper::BuildBufferObjects(vtkRenderer*, vtkActor*)
 {
   this->MapScalars(1.0);
   Internals& impl = *this->Impl;
-  impl.HasColors = this->Colors && this->Colors->GetNumberOfTuples() ==
-    this->CurrentInput->GetNumberOfPoints();
+  impl.HasColors =
+    this->Colors && this->Colors->GetNumberOfTuples() == this->CurrentInput->GetNumberOfPoints();
   const std::vector<vtkSpherePackingVertex> vertices =
     impl.Vertices.Build(this->CurrentInput, impl.Radii, impl.HasColors ? this->Colors : nullptr);
   impl.NumberOfVertices = static_cast<vtkIdType>(vertices.size());
@@ -221,8 +221,7 @@ void vtkOpenGLSpherePackingMapper::UploadQuads(const vtkSpherePackingView& view)
 void vtkOpenGLSpherePackingMapper::DrawSpheres(vtkRenderer* ren, vtkActor* act)
 {
   Internals& impl = *this->Impl;
-  vtkOpenGLState* state =
-    static_cast<vtkOpenGLRenderWindow*>(ren->GetRenderWindow())->GetState();
+  vtkOpenGLState* state = static_cast<vtkOpenGLRenderWindow*>(ren->GetRenderWindow())->GetState();
   vtkOpenGLState::ScopedglEnableDisable pointSize(state, GL_PROGRAM_POINT_SIZE);
   vtkOpenGLState::ScopedglEnableDisable cull(state, GL_CULL_FACE);
   state->vtkglEnable(GL_PROGRAM_POINT_SIZE);
@@ -266,8 +265,7 @@ void vtkOpenGLSpherePackingMapper::DrawSurfacesThenLights(vtkRenderer* ren, vtkA
 }
 
 //------------------------------------------------------------------------------
-std::vector<std::array<float, 4>> vtkOpenGLSpherePackingMapper::ComputeClippingPlanes(
-  vtkActor* act)
+std::vector<std::array<float, 4>> vtkOpenGLSpherePackingMapper::ComputeClippingPlanes(vtkActor* act)
 {
   std::vector<std::array<float, 4>> planes(this->GetNumberOfClippingPlanes());
   for (std::size_t i = 0; i < planes.size(); ++i)
@@ -336,6 +334,6 @@ void vtkOpenGLSpherePackingMapper::ShallowCopy(vtkAbstractMapper* mapper)
 void vtkOpenGLSpherePackingMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "RadiusArrayName: "
-     << (this->RadiusArrayName ? this->RadiusArrayName : "(none)") << "\n";
+  os << indent << "RadiusArrayName: " << (this->RadiusArrayName ? this->RadiusArrayName : "(none)")
+     << "\n";
 }

@@ -43,8 +43,7 @@
 
 struct vtkSpherePackingView;
 
-class VTKSPHEREPACKINGRENDERING_EXPORT vtkOpenGLSpherePackingMapper
-  : public vtkOpenGLPolyDataMapper
+class VTKSPHEREPACKINGRENDERING_EXPORT vtkOpenGLSpherePackingMapper : public vtkOpenGLPolyDataMapper
 {
 public:
   static vtkOpenGLSpherePackingMapper* New();
@@ -87,8 +86,7 @@ protected:
   void RenderPieceDraw(vtkRenderer* ren, vtkActor* act) override;
   void BuildBufferObjects(vtkRenderer* ren, vtkActor* act) override;
 
-  bool GetNeedToRebuildShaders(
-    vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act) override;
+  bool GetNeedToRebuildShaders(vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act) override;
   void GetShaderTemplate(
     std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* ren, vtkActor* act) override;
   void ReplaceShaderPositionVC(
@@ -105,10 +103,8 @@ protected:
     std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* ren, vtkActor* act) override;
   void ReplaceShaderCoincidentOffset(
     std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* ren, vtkActor* act) override;
-  void SetMapperShaderParameters(
-    vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act) override;
-  void SetCameraShaderParameters(
-    vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act) override;
+  void SetMapperShaderParameters(vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act) override;
+  void SetCameraShaderParameters(vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act) override;
   void UpdateMaximumPointCellIds(vtkRenderer* ren, vtkActor* act) override;
 
   char* RadiusArrayName = nullptr;

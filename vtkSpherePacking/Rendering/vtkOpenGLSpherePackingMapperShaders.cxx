@@ -92,7 +92,8 @@ void vtkOpenGLSpherePackingMapper::GetShaderTemplate(
 }
 
 //------------------------------------------------------------------------------
-void vtkOpenGLSpherePackingMapper::ReplaceShaderPositionVC(ShaderMap shaders, vtkRenderer*, vtkActor*)
+void vtkOpenGLSpherePackingMapper::ReplaceShaderPositionVC(
+  ShaderMap shaders, vtkRenderer*, vtkActor*)
 {
   vtkSpherePackingFeatures features = this->Impl->ShaderFeatures;
   features.Quads = this->DrawingQuads();
@@ -193,8 +194,7 @@ void vtkOpenGLSpherePackingMapper::ReplaceShaderPicking(
 }
 
 //------------------------------------------------------------------------------
-void vtkOpenGLSpherePackingMapper::ReplaceShaderCoincidentOffset(
-  ShaderMap, vtkRenderer*, vtkActor*)
+void vtkOpenGLSpherePackingMapper::ReplaceShaderCoincidentOffset(ShaderMap, vtkRenderer*, vtkActor*)
 {
   // Spheres coincide with nothing else; the depth is the hit's own.
 }

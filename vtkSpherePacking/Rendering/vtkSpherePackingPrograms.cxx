@@ -75,8 +75,8 @@ std::string vtkSpherePackingHitDeclarations(const vtkSpherePackingFeatures& feat
   text += features.Quads ? "#define DRAWING_QUADS\n" : "";
   text += features.MayBeCut ? "#define SPHERES_MAY_BE_CUT\n" : "";
   text += "#define CLIPPING_PLANES " + std::to_string(features.ClippingPlanes) + "\n";
-  text += features.Parallel ? "const bool parallelView = true;\n"
-                            : "const bool parallelView = false;\n";
+  text +=
+    features.Parallel ? "const bool parallelView = true;\n" : "const bool parallelView = false;\n";
   return text + vtkSpherePackingFSDeclarations;
 }
 

@@ -91,11 +91,11 @@ bool IsClose(double distance, double r, const vtkSpherePackingView& view)
   }
   return distance < 4.0 * Slack * r ||
     Slack * r * view.Near * view.Far >=
-      vtkSpherePackingMaximumDepthShare * length * distance * distance;
+    vtkSpherePackingMaximumDepthShare * length * distance * distance;
 }
 
-bool NeedsQuad(const std::array<double, 3>& model, double radius,
-  const vtkSpherePackingView& view, double maximumPointSize, Sphere& sphere)
+bool NeedsQuad(const std::array<double, 3>& model, double radius, const vtkSpherePackingView& view,
+  double maximumPointSize, Sphere& sphere)
 {
   const double r = radius * view.RadiusScale;
   const std::array<double, 3> c = view.ToView(model);
@@ -167,16 +167,15 @@ vtkSpherePackingQuadVertex MakeVertex(const Sphere& sphere, const vtkSpherePacki
   return vertex;
 }
 
-void AppendQuad(std::vector<vtkSpherePackingQuadVertex>& quads,
-  vtkSpherePackingQuadVertex vertex, const Sphere& sphere, const vtkSpherePackingView& view)
+void AppendQuad(std::vector<vtkSpherePackingQuadVertex>& quads, vtkSpherePackingQuadVertex vertex,
+  const Sphere& sphere, const vtkSpherePackingView& view)
 {
   double corners[2][2];
   for (int axis = 0; axis < 2; ++axis)
   {
     const double size = view.Viewport[2 + axis];
     // Half a pixel of margin for the rasteriser's fixed point.
-    corners[0][axis] =
-      2.0 * std::max(std::floor(sphere.Pixels.Low[axis]) - 0.5, -1.0) / size - 1.0;
+    corners[0][axis] = 2.0 * std::max(std::floor(sphere.Pixels.Low[axis]) - 0.5, -1.0) / size - 1.0;
     corners[1][axis] =
       2.0 * std::min(std::ceil(sphere.Pixels.High[axis]) + 0.5, size + 1.0) / size - 1.0;
   }
@@ -205,8 +204,8 @@ bool MayNeedQuads(const vtkSpherePackingBlock& block, const vtkSpherePackingView
   for (int axis = 0; axis < 3; ++axis)
   {
     const double eye = origin[axis] + view.Eye[axis];
-    const double outside = std::max(
-      { block.Bounds[2 * axis] - eye, eye - block.Bounds[2 * axis + 1], 0.0 });
+    const double outside =
+      std::max({ block.Bounds[2 * axis] - eye, eye - block.Bounds[2 * axis + 1], 0.0 });
     squared += outside * outside;
   }
   double corner = 1.0;
@@ -219,7 +218,8 @@ bool MayNeedQuads(const vtkSpherePackingBlock& block, const vtkSpherePackingView
   }
   // In front of the eye, depth >= distance / corner for what is in the window.
   const double depth = std::sqrt(squared) * view.RadiusScale / std::sqrt(corner) - r;
-  return depth <= 0.0 || IsClose(depth, r, view) || 2.0 * r * pixels * corner / depth >= maximumPointSize - 2.0;
+  return depth <= 0.0 || IsClose(depth, r, view) ||
+    2.0 * r * pixels * corner / depth >= maximumPointSize - 2.0;
 }
 }
 

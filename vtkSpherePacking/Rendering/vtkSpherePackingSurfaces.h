@@ -29,7 +29,7 @@ class vtkSpherePackingSurfaces
 public:
   struct Scene
   {
-    vtkSpherePackingView View; // with its viewport's corner at 0, 0
+    vtkSpherePackingView View;         // with its viewport's corner at 0, 0
     vtkSpherePackingFeatures Features; // Quads is set here
     std::vector<std::array<float, 4>> ClippingPlanes;
     float MaximumPointSize;

@@ -132,7 +132,7 @@ void vtkSpherePackingVertices::BuildBlocks(const std::vector<vtkSpherePackingVer
           block.MaximumRadius = std::max(block.MaximumRadius, r);
           const double c[3] = { this->Origin[0] + v.High[0] + v.Low[0],
             this->Origin[1] + v.High[1] + v.Low[1], this->Origin[2] + v.High[2] + v.Low[2] };
-            const double bounds[6] = { c[0] - r, c[0] + r, c[1] - r, c[1] + r, c[2] - r, c[2] + r };
+          const double bounds[6] = { c[0] - r, c[0] + r, c[1] - r, c[1] + r, c[2] - r, c[2] + r };
           box.AddBounds(bounds);
         }
         box.GetBounds(block.Bounds.data());

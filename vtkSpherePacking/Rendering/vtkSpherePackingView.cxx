@@ -74,8 +74,8 @@ std::string vtkSpherePackingView::Compute(
   const double squared = this->RadiusScale * this->RadiusScale;
   for (int j = 0; j < 3; ++j)
   {
-    this->Eye[j] = -(this->Rows[0][j] * shift[0] + this->Rows[1][j] * shift[1] +
-                     this->Rows[2][j] * shift[2]) /
+    this->Eye[j] =
+      -(this->Rows[0][j] * shift[0] + this->Rows[1][j] * shift[1] + this->Rows[2][j] * shift[2]) /
       squared;
   }
 
@@ -117,8 +117,7 @@ std::string vtkSpherePackingView::Compute(
 //------------------------------------------------------------------------------
 std::array<double, 3> vtkSpherePackingView::ToView(const std::array<double, 3>& model) const
 {
-  const double p[3] = { model[0] - this->Eye[0], model[1] - this->Eye[1],
-    model[2] - this->Eye[2] };
+  const double p[3] = { model[0] - this->Eye[0], model[1] - this->Eye[1], model[2] - this->Eye[2] };
   return { vtkMath::Dot(this->Rows[0].data(), p), vtkMath::Dot(this->Rows[1].data(), p),
     vtkMath::Dot(this->Rows[2].data(), p) };
 }
