@@ -133,6 +133,66 @@ def test_what_is_nearly_a_short_decimal(read_error, tmp_path, text, tail):
     assert f"line 1: found '{text}' as y in column 2, expected a number" in message
 
 
+@pytest.mark.parametrize("line_end", ["\n", "\r\n", " \n", "\r"])
+def test_rows_of_short_decimals_round_as_pythons(read_text, line_end):
+    # Rows about as long as what is scanned at once, and far shorter and longer ones.
+    rng = np.random.default_rng(5)
+
+    def number(most_before, most_after, sign):
+        before, after = rng.integers(1, most_before + 1), rng.integers(1, most_after + 1)
+        digits = "".join(map(str, rng.integers(0, 10, before + after)))
+        return f"{sign}{digits[:before]}.{digits[before:]}"
+
+    rows = []
+    for most in [(1, 7), (3, 6), (8, 7), (9, 9)]:
+        for _ in range(2000):
+            signs = [*rng.choice(["", "-"], 3), ""]
+            rows.append([number(*most, sign) for sign in signs])
+    rows += [["-0.0", "0.0", "-0.0000000", "0.0"], ["99999999.9999999"] * 4]
+    text = line_end.join(" ".join(row) for row in rows) + line_end
+    packing = read_text(text, chunk=5000)
+    expected = np.array([[float(field) for field in row] for row in rows])
+    assert bits(packing.points) == bits(expected[:, :3])
+    assert bits(packing["radius"]) == bits(expected[:, 3])
+
+
+def test_rows_of_short_decimals_round_once_to_single_precision(read_text):
+    rng = np.random.default_rng(6)
+    rows = [
+        [f"{x:.{n}f}" for x in abs(rng.normal(size=4))] for n in (1, 3, 6, 7) for _ in range(500)
+    ]
+    packing = read_text("\n".join(" ".join(row) for row in rows), single=True)
+    expected = np.array([[nearest_float32(field) for field in row] for row in rows], np.float32)
+    assert packing.points.tolist() == expected[:, :3].tolist()
+    assert packing["radius"].tolist() == expected[:, 3].tolist()
+
+
+@pytest.mark.parametrize(
+    ("row", "message"),
+    [
+        ("1.5 2.-5 3.5 4.5", "found '2.-5' as y"),
+        ("1.5 2-.5 3.5 4.5", "found '2-.5' as y"),
+        ("1.5 2.5.5 3.5 4.5", "found '2.5.5' as y"),
+        ("1.5 - 2.5 3.5 4.5", "found '-' as y"),
+        ("--1.5 2.5 3.5 4.5", "found '--1.5' as x"),
+        ("1.5 --2.5 3.5 4.5", "found '--2.5' as y"),
+        ("1.5 2.5 3:5 4.5", "found '3:5' as z"),
+        ("1.5 2.5 3.5/4.5 4.5", "found '3.5/4.5' as z"),
+        ("1.5 2.5 3.5 -4.5", "found '-4.5' as radius"),
+        ("1.5 2.5 3.5 4.5 5.5", "found 5 columns"),
+        ("1.5 2.5 3.5", "found 3 columns"),
+        ("1.5 2.5 3.5 4.5x", "found '4.5x' as radius"),
+        ("1.5 2.5 3.5 4.\u06655", r"found '4.\xd9\xa55' as radius"),
+    ],
+)
+def test_what_is_nearly_a_row_of_short_decimals(read_error, tmp_path, row, message):
+    good = "1.5 -2.5 3.5 4.5\n"
+    (tmp_path / "p.spheres").write_text(f"{good}{row}\n{good * 20}", encoding="utf-8")
+    found, _ = read_error(tmp_path / "p.spheres")
+    assert "line 2: " in found
+    assert message in found
+
+
 def test_halfway_cases_round_to_even(read_text):
     rng = np.random.default_rng(7)
     texts = []

@@ -3,6 +3,7 @@
 #define RowParser_h
 
 #include "io/Number.h"
+#include "io/ShortRow.h"
 #include "io/TableLayout.h"
 
 #include <algorithm>
@@ -124,6 +125,20 @@ private:
   const char* ParsePlain(const char* p, vtkIdType row) const
   {
     Real values[4];
+    const char* end = ParseShortRow(p, this->TextEnd, values);
+    end = end ? end : this->ParseSpaced(p, values);
+    if (!end || values[3] < 0)
+    {
+      return nullptr;
+    }
+    std::copy_n(values, 3, this->Centres + 3 * row);
+    this->Radii[row] = values[3];
+    return end;
+  }
+
+  // Four finite numbers with a space between and nothing else. Returns the line end.
+  const char* ParseSpaced(const char* p, Real (&values)[4]) const
+  {
     for (Real& value : values)
     {
       p = ParseNumber(p, this->TextEnd, value);
@@ -134,13 +149,7 @@ private:
       }
       p += *p == ' ';
     }
-    if (!IsLineEnd(*p) || values[3] < 0)
-    {
-      return nullptr;
-    }
-    std::copy_n(values, 3, this->Centres + 3 * row);
-    this->Radii[row] = values[3];
-    return p;
+    return IsLineEnd(*p) ? p : nullptr;
   }
 
   // Fractions are placed in the box before they are rounded to Real.
