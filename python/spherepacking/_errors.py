@@ -29,6 +29,11 @@ class ErrorLog:
             algorithm.AddObserver("ErrorEvent", self)
             algorithm.GetExecutive().AddObserver("ErrorEvent", self)
 
+    def listen_alone(self, algorithm: object) -> None:
+        """Stop all others from hearing the errors of one of the objects."""
+        algorithm.RemoveObservers("ErrorEvent")
+        algorithm.AddObserver("ErrorEvent", self)
+
     def __call__(self, _caller: object, _event: str, text: str) -> None:
         self.messages.append(text.strip())
 

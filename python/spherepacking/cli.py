@@ -104,7 +104,7 @@ def render(
     from .image import check_output
 
     check_output(output)
-    _check_view(size, zoom, view_angle)
+    _check_view(size, zoom, view_angle, anti_aliasing)
     choose_window()
 
     import pyvista as pv
@@ -166,9 +166,16 @@ def _radius_scale(
     return True, clim or (float(positive.min()), float(positive.max()))
 
 
-def _check_view(size: tuple[int, int], zoom: float, view_angle: float | None) -> None:
-    if min(size) < 1:
-        raise ValueError(f"--size: found {size[0]} {size[1]}, expected numbers of pixels")
+def _check_view(
+    size: tuple[int, int], zoom: float, view_angle: float | None, anti_aliasing: bool
+) -> None:
+    # OpenGL draws into textures, of which every implementation has 16384 pixels along a side;
+    # smoothing draws twice as many.
+    largest = 8192 if anti_aliasing else 16384
+    if min(size) < 1 or max(size) > largest:
+        raise ValueError(
+            f"--size: found {size[0]} {size[1]}, expected numbers of pixels from 1 to {largest}"
+        )
     if not zoom > 0.0:
         raise ValueError(f"--zoom: found {zoom}, expected a number above 0")
     if view_angle is not None and not 0.0 < view_angle < 180.0:

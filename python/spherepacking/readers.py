@@ -154,6 +154,8 @@ class SpherePackingReader(pv.BaseReader, pv.TimeReader):
             If the file is no packing. The message names file and line, what was found and what
             was expected.
         """
+        # pyvista.read() listens too, and would log what is raised below.
+        self._errors.listen_alone(self.reader)
         if self._progress_bar:
             watch = progress_bar(self.reader, self._progress_msg)
         else:

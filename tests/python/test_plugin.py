@@ -126,3 +126,19 @@ WITHOUT = "_offscreen._osmesa_loads = lambda: False"
 def test_window_where_there_is_no_display(change, environment, expected):
     result = run(CHOOSE.format(change=change), **(DISPLAY | environment))
     assert (result.stdout.strip(), result.stderr) == (expected, "")
+
+
+def test_a_bad_file_is_told_once_by_pyvista_read(tmp_path):
+    # In a process of its own: pytest's logging would hide what is logged besides.
+    path = tmp_path / "three.spheres"
+    path.write_text("1 2 3\n")
+    code = f"""
+import pyvista as pv
+try:
+    pv.read({str(path)!r})
+except ValueError as error:
+    print(type(error).__name__, error)
+"""
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.startswith(f"PackingFileError {path}, line 1: ")
+    assert done.stderr == ""

@@ -91,9 +91,16 @@ def test_window_of_size(rng, size):
     check(rng.uniform(-1, 1, (50, 3)), np.full(50, 0.4), Camera((1.5, 0, 0), view_angle=80), size)
 
 
-def test_off_centre_projection(rng):
-    # As tiled displays and stereo pairs use it.
-    camera = Camera(settings={"SetWindowCenter": (0.6, -0.3)})
+@pytest.mark.parametrize(
+    "settings",
+    [
+        {"SetWindowCenter": (0.6, -0.3)},  # as tiled displays use it
+        {"SetViewShear": (0.1, 0.05, 1.0)},  # and stereo is a shear too
+    ],
+    ids=lambda settings: " ".join(settings),
+)
+def test_off_centre_projection(rng, settings):
+    camera = Camera(settings=settings)
     check(rng.uniform(-1, 1, (200, 3)), np.full(200, 0.2), camera)
 
 

@@ -214,7 +214,7 @@ def test_colours_change_without_a_new_actor():
     np.testing.assert_array_equal(before, after[::-1])
 
 
-def normals(picture_size, camera_distance=None):
+def normals(picture_size):
     """Return view normals of a unit sphere in a parallel view 2.5 wide, and its mask."""
     x = ((np.arange(picture_size) + 0.5) / picture_size - 0.5) * 2.5
     xx, yy = np.meshgrid(x, x)
@@ -403,6 +403,52 @@ def test_two_renderers_side_by_side(samples):
     plotter.close()
     assert picture.max() == 255
     np.testing.assert_array_equal(picture[:, :100], picture[:, 100:])
+
+
+@pytest.mark.parametrize(
+    "count",
+    [
+        100,
+        pytest.param(
+            20_001,
+            marks=pytest.mark.xfail(
+                reason="a pixel in the window's corner is lit once the actor was in two windows"
+            ),
+        ),
+    ],
+)
+def test_one_actor_in_two_windows(rng, count):
+    packing = make_packing(rng.random((count, 3)), np.full(count, 0.02))
+    camera = Camera((2, 2, 2), (0.5, 0.5, 0.5))
+    with show(packing, camera, (200, 200), color="red") as (first, actor):
+        before = first.screenshot(return_img=True)
+        second = pv.Plotter(off_screen=True, window_size=(200, 200))
+        second.set_background("black")
+        second.add_actor(actor)
+        camera.apply(second)
+        second.show(auto_close=False, interactive=False)
+        camera.apply(second)
+        second.render()
+        there = second.screenshot(return_img=True)
+        first.render()
+        after = first.screenshot(return_img=True)
+        second.close()
+    assert before.max() == 255
+    np.testing.assert_array_equal(before, there)
+    np.testing.assert_array_equal(before, after)
+
+
+def test_message_goes_when_the_cause_is_gone():
+    packing = make_packing(ROW, [1.0, 1.0, 1.0])
+    with show(packing, FRONT, (50, 50), color="white") as (plotter, actor):
+        actor.mapper.AddObserver("ErrorEvent", lambda *_: None)
+        actor.scale = (1.0, 2.0, 1.0)
+        plotter.render()
+        assert actor.mapper.GetErrorMessage() != ""
+        actor.scale = (1.0, 1.0, 1.0)
+        plotter.render()
+        assert actor.mapper.GetErrorMessage() == ""
+        actor.mapper.RemoveAllObservers()
 
 
 def test_window_size_changes():

@@ -170,6 +170,7 @@ void vtkOpenGLSpherePackingMapper::RenderPieceDraw(vtkRenderer* ren, vtkActor* a
     this->Fail(problem);
     return;
   }
+  impl.ErrorMessage.clear();
   GLfloat range[2] = { 1.0f, 1.0f };
   glGetFloatv(GL_POINT_SIZE_RANGE, range);
   impl.MaximumPointSize = std::min(range[1], LargestUsefulPoint);
@@ -251,19 +252,20 @@ void vtkOpenGLSpherePackingMapper::DrawSurfacesThenLights(vtkRenderer* ren, vtkA
   scene.ClippingPlanes = this->ComputeClippingPlanes(act);
   scene.MaximumPointSize = impl.MaximumPointSize;
   scene.Vertices = impl.VertexBuffer;
-  scene.Phases = vtkSpherePackingMakePhases(impl.Vertices, scene.View);
+  scene.Phases = impl.Released ? vtkSpherePackingMakeOnePhase(impl.Vertices)
+                               : vtkSpherePackingMakePhases(impl.Vertices, scene.View);
   scene.OccluderTile =
     scene.View.ChooseTile(this->Bounds, impl.Vertices.GetOrigin(), impl.Vertices.GetUsualRadius());
   scene.Quads = impl.QuadBuffer;
   scene.NumberOfQuadVertices = static_cast<int>(impl.NumberOfQuadVertices);
   scene.BufferTime = impl.BufferTime;
-  impl.Surfaces.Draw(window, scene);
+  impl.Surfaces->Draw(window, scene);
 
   vtkOpenGLState::ScopedglEnableDisable cull(window->GetState(), GL_CULL_FACE);
   window->GetState()->vtkglDisable(GL_CULL_FACE);
   this->UpdateShaders(impl.Screen, ren, act);
   glDrawArrays(GL_TRIANGLES, 0, 3);
-  impl.Surfaces.Deactivate();
+  impl.Surfaces->Deactivate();
   vtkOpenGLCheckErrorMacro("failed after lighting spheres");
 }
 
@@ -318,7 +320,9 @@ void vtkOpenGLSpherePackingMapper::ReleaseGraphicsResources(vtkWindow* window)
   this->Impl->VertexBuffer->ReleaseGraphicsResources();
   this->Impl->IdBuffer->ReleaseGraphicsResources();
   this->Impl->QuadBuffer->ReleaseGraphicsResources();
-  this->Impl->Surfaces.ReleaseGraphicsResources(window);
+  this->Impl->Surfaces->ReleaseGraphicsResources(window);
+  this->Impl->Surfaces.reset(new vtkSpherePackingSurfaces);
+  this->Impl->Released = true;
   this->Impl->Screen.ReleaseGraphicsResources(window);
   this->Superclass::ReleaseGraphicsResources(window);
 }

@@ -209,7 +209,7 @@ void vtkOpenGLSpherePackingMapper::SetMapperShaderParameters(
   if (this->DrawingScreen())
   {
     cellBO.VAO->Bind(); // without attributes, but drawing needs one
-    impl.Surfaces.Activate(program);
+    impl.Surfaces->Activate(program);
     const float origin[2] = { static_cast<float>(impl.View.Viewport[0]),
       static_cast<float>(impl.View.Viewport[1]) };
     program->SetUniform2f("viewportOrigin", origin);

@@ -60,15 +60,21 @@ void vtkSpherePackingRuns::Add(vtkIdType begin, vtkIdType end)
 }
 
 //------------------------------------------------------------------------------
+std::vector<vtkSpherePackingRuns> vtkSpherePackingMakeOnePhase(
+  const vtkSpherePackingVertices& vertices)
+{
+  std::vector<vtkSpherePackingRuns> phases(1);
+  phases[0].Add(0, static_cast<vtkIdType>(vertices.GetPointIds().size()));
+  return phases;
+}
+
+//------------------------------------------------------------------------------
 std::vector<vtkSpherePackingRuns> vtkSpherePackingMakePhases(
   const vtkSpherePackingVertices& vertices, const vtkSpherePackingView& view)
 {
-  std::vector<vtkSpherePackingRuns> phases(1);
-  const vtkIdType count = static_cast<vtkIdType>(vertices.GetPointIds().size());
-  if (count < FewSpheres)
+  if (static_cast<vtkIdType>(vertices.GetPointIds().size()) < FewSpheres)
   {
-    phases[0].Add(0, count);
-    return phases;
+    return vtkSpherePackingMakeOnePhase(vertices);
   }
   std::vector<PlacedBlock> blocks;
   blocks.reserve(vertices.GetBlocks().size());
@@ -83,7 +89,7 @@ std::vector<vtkSpherePackingRuns> vtkSpherePackingMakePhases(
   std::sort(blocks.begin(), blocks.end(), [](const PlacedBlock& a, const PlacedBlock& b)
     { return a.Cell != b.Cell ? a.Cell < b.Cell : a.Depth < b.Depth; });
 
-  phases.resize(std::size(Ends));
+  std::vector<vtkSpherePackingRuns> phases(std::size(Ends));
   for (auto begin = blocks.begin(); begin != blocks.end();)
   {
     const auto end = std::find_if(

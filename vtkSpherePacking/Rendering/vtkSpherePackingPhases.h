@@ -19,6 +19,10 @@ struct vtkSpherePackingRuns
   void Add(vtkIdType begin, vtkIdType end);
 };
 
+// All vertices at once.
+std::vector<vtkSpherePackingRuns> vtkSpherePackingMakeOnePhase(
+  const vtkSpherePackingVertices& vertices);
+
 // The blocks in the view volume in a few phases: first what is nearest to the eye in each part of
 // the window, so that it can hide what comes after. One phase for a packing that is too small for
 // that to pay.

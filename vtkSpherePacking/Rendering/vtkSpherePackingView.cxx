@@ -71,6 +71,21 @@ std::string vtkSpherePackingView::Compute(
       : "the camera's view transform stretches, shears or flattens, as when its position is its "
         "focal point; spheres allow rotation, translation and uniform scale";
   }
+  const vtkMatrix4x4* projection = viewToDevice;
+  this->Parallel = camera->GetParallelProjection() != 0;
+  for (int i = 0; i < 2; ++i)
+  {
+    if (!this->Parallel)
+    {
+      // Stereo and view shear move the eye sideways within the projection.
+      shift[i] += projection->GetElement(3, i) / projection->GetElement(i, i);
+    }
+    else if (projection->GetElement(2, i) != 0.0)
+    {
+      return "the parallel view is sheared, as by stereo or a view shear; spheres allow that in "
+             "perspective only";
+    }
+  }
   const double squared = this->RadiusScale * this->RadiusScale;
   for (int j = 0; j < 3; ++j)
   {
@@ -79,8 +94,6 @@ std::string vtkSpherePackingView::Compute(
       squared;
   }
 
-  const vtkMatrix4x4* projection = viewToDevice;
-  this->Parallel = camera->GetParallelProjection() != 0;
   const double p22 = projection->GetElement(2, 2);
   const double p23 = projection->GetElement(3, 2);
   if (!camera->GetUseExplicitProjectionTransformMatrix())
