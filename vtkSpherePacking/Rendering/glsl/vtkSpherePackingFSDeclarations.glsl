@@ -39,12 +39,13 @@ flat in vec4 sphereRestVSOutput;
 #define REAL4 vec4
 #endif
 
-REAL sphereBehind; // of the hit, behind the near plane
-REAL sphereBefore; // and before the far plane
-REAL sphereAlong;
-REAL2 sphereMiss;
-REAL2 raySlope;
-REAL4 sphereShape;
+// Set to something, since some compilers warn of what functions read from globals.
+REAL sphereBehind = REAL(0.0); // of the hit, behind the near plane
+REAL sphereBefore = REAL(0.0); // and before the far plane
+REAL sphereAlong = REAL(0.0);
+REAL2 sphereMiss = REAL2(0.0);
+REAL2 raySlope = REAL2(0.0);
+REAL4 sphereShape = REAL4(0.0);
 
 // View position of the hit relative to the eye's foot point on the near plane, where z is
 // precise also when the near plane is far away.
