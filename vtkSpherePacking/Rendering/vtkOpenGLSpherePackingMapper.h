@@ -10,7 +10,10 @@
  * their inside, and so do all spheres when the camera is inside.
  *
  * All of vtkOpenGLPolyDataMapper's means of colouring points, its lights, properties, opacity,
- * render passes and clipping planes apply. A sphere has one colour, so
+ * render passes and clipping planes apply, but for vtkShadowMapPass: lit sides come out dark, since
+ * the offset that it adds to depths does not reach those written here. A parallel view that is
+ * sheared, as by stereo, is an error. Several samples a pixel smooth no silhouette, which is exact
+ * at the pixel's centre. A sphere has one colour, so
  * InterpolateScalarsBeforeMapping is always off. Cells are ignored; representation, edges and
  * textures have no meaning for spheres. A vtkHardwareSelector that looks for points finds point
  * ids; one that looks for cells finds the same ids, which are those of the cells where the input
