@@ -31,6 +31,21 @@ namespace
 {
 // Beyond this a point's square wastes more fragments than the quad's set-up costs.
 constexpr float LargestUsefulPoint = 255.0f;
+
+// A window that cannot go back to the context before, as OSMesa's, leaves another one current when
+// it releases what it held, and what VTK then sets arrives there. So what the state believes of
+// the viewport may not hold any more. (VTK's own mappers draw with what is there.)
+void RestoreViewport(vtkOpenGLState* state)
+{
+  int viewport[4];
+  int scissor[4];
+  state->vtkglGetIntegerv(GL_VIEWPORT, viewport);
+  state->vtkglGetIntegerv(GL_SCISSOR_BOX, scissor);
+  state->ResetGLViewportState();
+  state->ResetGLScissorState();
+  state->vtkglViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
+  state->vtkglScissor(scissor[0], scissor[1], scissor[2], scissor[3]);
+}
 }
 
 //------------------------------------------------------------------------------
@@ -107,8 +122,13 @@ void vtkOpenGLSpherePackingMapper::RenderPiece(vtkRenderer* ren, vtkActor* act)
   {
     return;
   }
-  this->ResourceCallback->RegisterGraphicsResources(
-    static_cast<vtkOpenGLRenderWindow*>(ren->GetRenderWindow()));
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(ren->GetRenderWindow());
+  this->ResourceCallback->RegisterGraphicsResources(window);
+  if (!window->IsCurrent())
+  {
+    window->MakeCurrent(); // the one whose resources have been released may be current
+  }
+  RestoreViewport(window->GetState());
   this->CurrentInput = this->GetInput();
   if (!this->CurrentInput)
   {
@@ -252,8 +272,7 @@ void vtkOpenGLSpherePackingMapper::DrawSurfacesThenLights(vtkRenderer* ren, vtkA
   scene.ClippingPlanes = this->ComputeClippingPlanes(act);
   scene.MaximumPointSize = impl.MaximumPointSize;
   scene.Vertices = impl.VertexBuffer;
-  scene.Phases = impl.Released ? vtkSpherePackingMakeOnePhase(impl.Vertices)
-                               : vtkSpherePackingMakePhases(impl.Vertices, scene.View);
+  scene.Phases = vtkSpherePackingMakePhases(impl.Vertices, scene.View);
   scene.OccluderTile =
     scene.View.ChooseTile(this->Bounds, impl.Vertices.GetOrigin(), impl.Vertices.GetUsualRadius());
   scene.Quads = impl.QuadBuffer;
@@ -317,12 +336,16 @@ void vtkOpenGLSpherePackingMapper::ProcessSelectorPixelBuffers(
 //------------------------------------------------------------------------------
 void vtkOpenGLSpherePackingMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
+  if (!this->ResourceCallback->IsReleasing())
+  {
+    this->ResourceCallback->Release(); // comes back here in the context that holds them
+    return;
+  }
   this->Impl->VertexBuffer->ReleaseGraphicsResources();
   this->Impl->IdBuffer->ReleaseGraphicsResources();
   this->Impl->QuadBuffer->ReleaseGraphicsResources();
   this->Impl->Surfaces->ReleaseGraphicsResources(window);
   this->Impl->Surfaces.reset(new vtkSpherePackingSurfaces);
-  this->Impl->Released = true;
   this->Impl->Screen.ReleaseGraphicsResources(window);
   this->Superclass::ReleaseGraphicsResources(window);
 }

@@ -51,10 +51,6 @@ struct vtkOpenGLSpherePackingMapper::Internals
   // Surfaces are found first and lit in a triangle over the viewport, or drawn and lit in one go.
   // A new one after each release: VTK's framebuffers remember what was attached in another context.
   std::unique_ptr<vtkSpherePackingSurfaces> Surfaces{ new vtkSpherePackingSurfaces };
-  // Whether this was in a window that it left. Back in the first one, the framebuffer in which
-  // occluders are looked for upsets the window's own; until that is understood such a mapper draws
-  // all spheres in one phase, which is slower and right.
-  bool Released = false;
   vtkOpenGLHelper Screen;
   vtkSpherePackingFeatures ShaderFeatures; // what VTK's shaders were last built for
 

@@ -128,6 +128,9 @@ void vtkOpenGLSpherePackingMapper::ReplaceShaderLight(
   ShaderMap shaders, vtkRenderer* ren, vtkActor* act)
 {
   this->Superclass::ReplaceShaderLight(shaders, ren, act);
+  // What a render pass asks of the fragment, as the shadow maps do, is the hit's.
+  Substitute(shaders, vtkShader::Fragment, "1.0/gl_FragCoord.w", "-vertexVC.z");
+  Substitute(shaders, vtkShader::Fragment, "gl_FragCoord.z", "gl_FragDepth");
   // VTK computes a power a light even where nothing shines. As a constant 0 the compiler drops
   // all of it, which halves a frame under PyVista's five lights on a software rasteriser.
   if (act->GetProperty()->GetSpecular() == 0.0)
