@@ -45,14 +45,33 @@ std::string vtkSpherePackingView::Compute(
   // These matrices are transposed.
   vtkMatrix4x4* worldToView;
   vtkMatrix3x3* normals;
-  vtkMatrix4x4* viewToDevice;
+  vtkMatrix4x4* projection;
   vtkMatrix4x4* worldToDevice;
-  camera->GetKeyMatrices(renderer, worldToView, normals, viewToDevice, worldToDevice);
-  double modelToView[16];
-  double transposedView[16];
-  vtkMatrix4x4::Transpose(worldToView->GetData(), transposedView);
-  vtkMatrix4x4::Multiply4x4(transposedView, actor->GetMatrix()->GetData(), modelToView);
+  camera->GetKeyMatrices(renderer, worldToView, normals, projection, worldToDevice);
+  this->Parallel = camera->GetParallelProjection() != 0;
+  if (this->Parallel &&
+    (projection->GetElement(2, 0) != 0.0 || projection->GetElement(2, 1) != 0.0))
+  {
+    return "the parallel view is sheared, as by stereo or a view shear; spheres allow that in "
+           "perspective only";
+  }
+  std::string problem = this->ComputeEye(worldToView, actor->GetMatrix(), projection, origin);
+  if (problem.empty())
+  {
+    this->ComputeRange(camera, projection);
+    this->ComputePixels(renderer, projection);
+  }
+  return problem;
+}
 
+//------------------------------------------------------------------------------
+std::string vtkSpherePackingView::ComputeEye(vtkMatrix4x4* worldToView, vtkMatrix4x4* actor,
+  vtkMatrix4x4* projection, const std::array<double, 3>& origin)
+{
+  double view[16];
+  double modelToView[16];
+  vtkMatrix4x4::Transpose(worldToView->GetData(), view);
+  vtkMatrix4x4::Multiply4x4(view, actor->GetData(), modelToView);
   std::array<double, 3> shift;
   for (int i = 0; i < 3; ++i)
   {
@@ -63,28 +82,18 @@ std::string vtkSpherePackingView::Compute(
   this->RadiusScale = SimilarityScale(this->Rows);
   if (!(this->RadiusScale > 0.0))
   {
-    return SimilarityScale({ { { transposedView[0], transposedView[1], transposedView[2] },
-             { transposedView[4], transposedView[5], transposedView[6] },
-             { transposedView[8], transposedView[9], transposedView[10] } } }) > 0.0
+    const double cameraScale = SimilarityScale({ { { view[0], view[1], view[2] },
+      { view[4], view[5], view[6] }, { view[8], view[9], view[10] } } });
+    return cameraScale > 0.0
       ? "the actor's matrix stretches, shears or flattens; spheres allow rotation, translation and "
         "uniform scale"
       : "the camera's view transform stretches, shears or flattens, as when its position is its "
         "focal point; spheres allow rotation, translation and uniform scale";
   }
-  const vtkMatrix4x4* projection = viewToDevice;
-  this->Parallel = camera->GetParallelProjection() != 0;
-  for (int i = 0; i < 2; ++i)
+  for (int i = 0; i < 2 && !this->Parallel; ++i)
   {
-    if (!this->Parallel)
-    {
-      // Stereo and view shear move the eye sideways within the projection.
-      shift[i] += projection->GetElement(3, i) / projection->GetElement(i, i);
-    }
-    else if (projection->GetElement(2, i) != 0.0)
-    {
-      return "the parallel view is sheared, as by stereo or a view shear; spheres allow that in "
-             "perspective only";
-    }
+    // Stereo and view shear move the eye sideways within the projection.
+    shift[i] += projection->GetElement(3, i) / projection->GetElement(i, i);
   }
   const double squared = this->RadiusScale * this->RadiusScale;
   for (int j = 0; j < 3; ++j)
@@ -93,7 +102,12 @@ std::string vtkSpherePackingView::Compute(
       -(this->Rows[0][j] * shift[0] + this->Rows[1][j] * shift[1] + this->Rows[2][j] * shift[2]) /
       squared;
   }
+  return {};
+}
 
+//------------------------------------------------------------------------------
+void vtkSpherePackingView::ComputeRange(vtkCamera* camera, vtkMatrix4x4* projection)
+{
   const double p22 = projection->GetElement(2, 2);
   const double p23 = projection->GetElement(3, 2);
   if (!camera->GetUseExplicitProjectionTransformMatrix())
@@ -110,7 +124,11 @@ std::string vtkSpherePackingView::Compute(
     this->Near = p23 / (p22 - 1.0);
     this->Far = p23 / (p22 + 1.0);
   }
+}
 
+//------------------------------------------------------------------------------
+void vtkSpherePackingView::ComputePixels(vtkRenderer* renderer, vtkMatrix4x4* projection)
+{
   int viewport[4];
   static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow())
     ->GetState()
@@ -124,7 +142,6 @@ std::string vtkSpherePackingView::Compute(
     this->PixelMap[i] = half * projection->GetElement(i, i);
     this->PixelMap[2 + i] = half * (1.0 + offset);
   }
-  return {};
 }
 
 //------------------------------------------------------------------------------

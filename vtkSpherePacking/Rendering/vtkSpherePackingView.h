@@ -11,6 +11,8 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkActor;
+class vtkCamera;
+class vtkMatrix4x4;
 class vtkRenderer;
 
 struct vtkSpherePackingView
@@ -46,6 +48,13 @@ struct vtkSpherePackingView
   // relative to the near plane (see vtkSpherePackingFSDeclarations.glsl).
   std::array<float, 4> ToNearPlaneSpace(
     const double plane[4], const std::array<double, 3>& origin) const;
+
+private:
+  // Rows, RadiusScale and Eye, or why there are none. Transposed matrices, but the actor's.
+  std::string ComputeEye(vtkMatrix4x4* worldToView, vtkMatrix4x4* actor, vtkMatrix4x4* projection,
+    const std::array<double, 3>& origin);
+  void ComputeRange(vtkCamera* camera, vtkMatrix4x4* projection);
+  void ComputePixels(vtkRenderer* renderer, vtkMatrix4x4* projection);
 };
 VTK_ABI_NAMESPACE_END
 

@@ -35,6 +35,53 @@ flat out vec4 sphereShapeVSOutput;
 //VTK::Color::Dec
 //VTK::Picking::Dec
 
+// The pixels that the sphere's outline spans, exactly, and the pixel of its centre. False for a
+// sphere too near to be drawn as a point.
+bool findOutline(REAL3 c, REAL r, REAL2 range, out REAL2 low, out REAL2 high, out REAL2 center,
+  out REAL depthShare)
+{
+  REAL4 map = REAL4(pixelMapHigh) + REAL4(pixelMapLow);
+  if (cameraParallel != 0)
+  {
+    depthShare = r / (range.y - range.x);
+    center = map.xy * c.xy + map.zw;
+    low = center - map.xy * r;
+    high = center + map.xy * r;
+    return true;
+  }
+  REAL distance = -c.z;
+  if (distance < REAL(4.0) * r)
+  {
+    return false;
+  }
+  depthShare = r * range.x * range.y / ((range.y - range.x) * distance * distance);
+  REAL along = distance * distance - r * r;
+  REAL2 middle = c.xy * distance;
+  REAL2 spread = r * sqrt(c.xy * c.xy + along);
+  center = map.xy * (c.xy / distance) + map.zw;
+  low = map.xy * ((middle - spread) / along) + map.zw;
+  high = map.xy * ((middle + spread) / along) + map.zw;
+  return true;
+}
+
+#ifdef SPHERES_MAY_BE_HIDDEN
+// Whether all that a sphere spans has been drawn already and lies before `depth`.
+bool isHidden(ivec2 first, ivec2 last, float depth)
+{
+  if (occluderTile == 0)
+  {
+    return false;
+  }
+  ivec2 a = first / occluderTile;
+  ivec2 b = last / occluderTile;
+  float farthest = max(
+    max(texelFetch(occluders, a, 0).r, texelFetch(occluders, ivec2(b.x, a.y), 0).r),
+    max(texelFetch(occluders, ivec2(a.x, b.y), 0).r, texelFetch(occluders, b, 0).r));
+  // Larger ones would have tiles between these.
+  return depth > farthest && max(b.x - a.x, b.y - a.y) < 2;
+}
+#endif
+
 void main()
 {
   //VTK::Color::Impl
@@ -52,7 +99,6 @@ void main()
     dot(REAL3(viewHigh[1]) + REAL3(viewLow[1]), p),
     dot(REAL3(viewHigh[2]) + REAL3(viewLow[2]), p));
   REAL distance = -c.z;
-  REAL4 map = REAL4(pixelMapHigh) + REAL4(pixelMapLow);
   REAL2 range = REAL2(clipRange.xy) + REAL2(clipRange.zw);
   if (!(r > REAL(0.0)) || distance + r < range.x || distance - r > range.y)
   {
@@ -63,26 +109,9 @@ void main()
   REAL2 high;
   REAL2 center;
   REAL depthShare; // of one radius
-  if (cameraParallel != 0)
+  if (!findOutline(c, r, range, low, high, center, depthShare))
   {
-    depthShare = r / (range.y - range.x);
-    center = map.xy * c.xy + map.zw;
-    low = center - map.xy * r;
-    high = center + map.xy * r;
-  }
-  else
-  {
-    if (distance < REAL(4.0) * r)
-    {
-      return;
-    }
-    depthShare = r * range.x * range.y / ((range.y - range.x) * distance * distance);
-    REAL along = distance * distance - r * r;
-    REAL2 middle = c.xy * distance;
-    REAL2 spread = r * sqrt(c.xy * c.xy + along);
-    center = map.xy * (c.xy / distance) + map.zw;
-    low = map.xy * ((middle - spread) / along) + map.zw;
-    high = map.xy * ((middle + spread) / along) + map.zw;
+    return;
   }
   // Pixel centres inside the bounds and the viewport; the margin covers rounding.
   vec2 first = max(ceil(vec2(low) - 0.5 - 1.0e-3), vec2(0.0));
@@ -101,18 +130,9 @@ void main()
       (front + float(range.x));
   depth *= 1.0 - 1.0e-6; // in front of every fragment, whatever the rounding
 #ifdef SPHERES_MAY_BE_HIDDEN
-  if (occluderTile > 0)
+  if (isHidden(ivec2(first), ivec2(last), depth))
   {
-    ivec2 a = ivec2(first) / occluderTile;
-    ivec2 b = ivec2(last) / occluderTile;
-    float farthest = max(
-      max(texelFetch(occluders, a, 0).r, texelFetch(occluders, ivec2(b.x, a.y), 0).r),
-      max(texelFetch(occluders, ivec2(a.x, b.y), 0).r, texelFetch(occluders, b, 0).r));
-    // Larger ones would have tiles between these.
-    if (depth > farthest && max(b.x - a.x, b.y - a.y) < 2)
-    {
-      return;
-    }
+    return;
   }
 #endif
 
@@ -121,7 +141,8 @@ void main()
   vec2 reference = floor(vec2(center)) + 0.5; // floats hold it exactly
   REAL reach = cameraParallel != 0 ? REAL(1.0) : distance;
   sphereReferenceVSOutput =
-    vec4(reference + viewport.xy, vec2((REAL2(reference) - center) * reach / map.xy));
+    vec4(reference + viewport.xy, vec2((REAL2(reference) - center) * reach /
+      (REAL2(pixelMapHigh.xy) + REAL2(pixelMapLow.xy))));
   sphereShapeVSOutput =
     vec4(float(reach), float(r), float(distance - range.x), float(range.y - distance));
   gl_Position = vec4(2.0 * middlePixel / viewport.zw - 1.0, 2.0 * depth - 1.0, 1.0);
