@@ -1,17 +1,93 @@
-"""What ``plotter.packing.add`` is given, checked before anything is drawn.
+"""What ``plotter.packing.add`` is given, checked before the plotter changes: spheres and actor.
 
 Every check raises one exception whose message starts with the name of the argument.
 """
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+import operator
+from typing import TYPE_CHECKING
 
 import numpy as np
 import pyvista as pv
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
+    from pyvista.plotting._typing import ColorLike
+    from pyvista.plotting.themes import Theme
+
+# Within these the mapper's squares are finite and not zero.
+_SCALES = (1e-150, 1e150)
+
+
+def number_of(name: str, value: float, low: float, high: float) -> float:
+    """`value` as a float from `low` to `high`, or a ValueError."""
+    try:
+        number = float(value)
+    except (TypeError, ValueError):
+        number = np.nan
+    if not low <= number <= high:
+        raise ValueError(f"{name}: found {value!r}, expected a number from {low:g} to {high:g}")
+    return number
+
+
+def count_of(name: str, value: int) -> int:
+    """`value` as an integer above 0, or a TypeError or ValueError."""
+    try:
+        count = operator.index(value)
+    except TypeError:
+        raise TypeError(f"{name}: found {value!r}, expected an integer above 0") from None
+    if count < 1:
+        raise ValueError(f"{name}: found {count}, expected an integer above 0")
+    return count
+
+
+def color_of(name: str, value: ColorLike | bool | None) -> pv.Color | bool | None:
+    """`value` as a colour, or a ValueError; None and truth values stay as they are."""
+    if value is None or isinstance(value, bool):
+        return value
+    try:
+        return pv.Color(value)
+    except (TypeError, ValueError):
+        raise ValueError(
+            f"{name}: found {value!r}, expected a colour: a name, #rrggbb or three or four numbers"
+        ) from None
+
+
+def storable(name: str, values: ArrayLike) -> np.ndarray:
+    """`values` in the machine's byte order and, for floats, in a width that VTK has."""
+    array = np.asarray(values)
+    if array.dtype.kind == "f" and array.dtype.itemsize > 8:
+        with np.errstate(over="ignore"):
+            double = array.astype(float)
+        if not np.array_equal(double, array, equal_nan=True):
+            raise ValueError(
+                f"{name}: found {array.dtype} values that double precision does not hold exactly, "
+                "expected float64; astype(float) rounds them"
+            )
+        return double
+    if array.dtype == np.float16:
+        return array.astype(np.float32)
+    # PyVista would swap the bytes of the caller's array.
+    return array.astype(array.dtype.newbyteorder("="), copy=False)
+
+
+def per_sphere(name: str, values: ArrayLike, count: int) -> np.ndarray:
+    """`values` as an array whose first axis runs over the spheres, or a ValueError."""
+    array = np.asarray(values)
+    if array.ndim == 0 or len(array) != count:
+        found = "a single value" if array.ndim == 0 else f"{len(array)} values"
+        raise ValueError(f"{name}: found {found}, expected one for each of {count} spheres")
+    return array
+
+
+def no_such_array(argument: str, name: str, packing: pv.PolyData) -> KeyError:
+    """Make the error that says which arrays there are."""
+    there = ", ".join(packing.point_data.keys()) or "none"
+    hint = " (there is a cell array of that name)" if name in packing.cell_data else ""
+    return KeyError(
+        f"{argument}: the packing has no point array {name!r}{hint}, its point arrays are: {there}"
+    )
 
 
 def packing_of(packing: object) -> pv.PolyData:
@@ -23,23 +99,6 @@ def packing_of(packing: object) -> pv.PolyData:
             "centres of the spheres"
         )
     return wrapped
-
-
-def _per_sphere(name: str, values: ArrayLike, count: int) -> np.ndarray:
-    """`values` as an array whose first axis runs over the spheres, or a ValueError."""
-    array = np.asarray(values)
-    if array.ndim == 0 or len(array) != count:
-        found = "a single value" if array.ndim == 0 else f"{len(array)} values"
-        raise ValueError(f"{name}: found {found}, expected one for each of {count} spheres")
-    return array
-
-
-def _no_such_array(argument: str, name: str, packing: pv.PolyData) -> KeyError:
-    there = ", ".join(packing.point_data.keys()) or "none"
-    hint = " (there is a cell array of that name)" if name in packing.cell_data else ""
-    return KeyError(
-        f"{argument}: the packing has no point array {name!r}{hint}, its point arrays are: {there}"
-    )
 
 
 def radii_of(packing: pv.PolyData, radius: str | ArrayLike) -> tuple[pv.PolyData, str]:
@@ -76,14 +135,15 @@ def radii_of(packing: pv.PolyData, radius: str | ArrayLike) -> tuple[pv.PolyData
                 f"radius: found {values.dtype} values, expected real numbers or the name of a "
                 "point array"
             )
+        values = storable("radius", values)
         if values.ndim == 0:
             values = np.full(packing.n_points, float(values))
-        values = _per_sphere("radius", values, packing.n_points)
+        values = per_sphere("radius", values, packing.n_points)
         name = "radius"
         packing = packing.copy(deep=False)
         packing.point_data[name] = values
     elif packing.n_points and radius not in packing.point_data:
-        raise _no_such_array("radius", radius, packing)
+        raise no_such_array("radius", radius, packing)
     check = vtkSpherePackingInput()
     if check.FindRadii(packing, name) is None and (message := check.GetMessage()):
         numeric = packing.point_data[name].dtype.kind in "iuf"
@@ -91,166 +151,83 @@ def radii_of(packing: pv.PolyData, radius: str | ArrayLike) -> tuple[pv.PolyData
     return packing, name
 
 
-def scalars_of(
-    packing: pv.PolyData, scalars: str | ArrayLike | None
-) -> tuple[np.ndarray | None, str]:
-    """Look up the values to colour by, one row a sphere, and the name of their array.
+def similarity_of(matrix: object) -> np.ndarray:
+    """Check a transformation: rotation, mirroring, translation and one scale keep spheres round.
 
     Parameters
     ----------
-    packing : pyvista.PolyData
-        Centres (n, 3).
-    scalars : str or array_like, optional
-        Name of a point array, or n values or rows.
+    matrix : array_like or vtkMatrix4x4 or vtkTransform or None
+        What :class:`pyvista.Transform` takes; None changes nothing.
 
     Returns
     -------
-    tuple[numpy.ndarray or None, str]
-        None for None.
-
-    Raises
-    ------
-    KeyError
-        If there is no array of that name.
-    ValueError
-        If there is not one value or row a sphere.
-    """
-    if scalars is None:
-        return None, pv.DEFAULT_SCALARS_NAME
-    if isinstance(scalars, str):
-        if scalars not in packing.point_data:
-            raise _no_such_array("scalars", scalars, packing)
-        return np.asarray(packing.point_data[scalars]), scalars
-    values = _per_sphere("scalars", scalars, packing.n_points)
-    taken = packing.point_data.keys()
-    names = (f"{pv.DEFAULT_SCALARS_NAME}{suffix}" for suffix in ["", *range(2, len(taken) + 3)])
-    return values, next(name for name in names if name not in taken)
-
-
-class Colouring(NamedTuple):
-    """What gives the spheres their colours.
-
-    Attributes
-    ----------
-    scalars : numpy.ndarray or None
-        One value or row a sphere.
-    name : str
-        Name of the scalars; a free one if they came as an array.
-    rgb : bool
-        Whether the scalars are colours.
-    opacity : float
-        Opacity of the actor.
-    opacities : numpy.ndarray or None
-        Opacity of each sphere (n,) in [0, 1].
-    transfer : numpy.ndarray or None
-        Opacities along the colour map (n_colors,) in [0, 255].
-    attached : bool
-        Whether drawing needs an array that the packing does not have.
-    """
-
-    scalars: np.ndarray | None
-    name: str
-    rgb: bool
-    opacity: float
-    opacities: np.ndarray | None
-    transfer: np.ndarray | None
-    attached: bool
-
-
-def colouring_of(
-    packing: pv.PolyData,
-    scalars: str | ArrayLike | None,
-    rgb: bool | None,
-    opacity: float | str | ArrayLike | None,
-    n_colors: int,
-) -> Colouring:
-    """Check what ``add`` was given to colour by.
-
-    Parameters
-    ----------
-    packing : pyvista.PolyData
-        Centres (n, 3).
-    scalars : str or array_like, optional
-        Name of a point array, or n values or rows.
-    rgb : bool, optional
-        Whether the scalars are colours; by default if their name says so.
-    opacity : float, str, array_like or None
-        See :func:`opacity_of`.
-    n_colors : int
-        Length of the colour map.
-
-    Returns
-    -------
-    Colouring
-        The arguments, checked and sorted out.
-
-    Raises
-    ------
-    KeyError
-        If there is no array of that name.
-    ValueError
-        If a shape or a value is not what it has to be.
-    """
-    values, name = scalars_of(packing, scalars)
-    if rgb is None:
-        rgb = isinstance(scalars, str) and scalars.endswith(("_rgb", "_rgba"))
-    if rgb and (values is None or values.ndim != 2 or values.shape[1] not in (3, 4)):
-        found = "no scalars" if values is None else f"scalars of shape {values.shape}"
-        raise ValueError(f"rgb: found {found}, expected shape ({packing.n_points}, 3 or 4)")
-    mapped = values is not None and not rgb
-    whole, each, transfer = opacity_of(packing, opacity, n_colors, mapped=mapped)
-    # The mapper makes an array of its own of vectors, texts and truth values.
-    derived = mapped and (values.ndim != 1 or values.dtype.kind not in "iuf")
-    unnamed = values is not None and not isinstance(scalars, str)
-    attached = each is not None or unnamed or derived
-    return Colouring(values, name, rgb, 1.0 if whole is None else whole, each, transfer, attached)
-
-
-def opacity_of(
-    packing: pv.PolyData,
-    opacity: float | str | ArrayLike | None,
-    n_colors: int,
-    *,
-    mapped: bool,
-) -> tuple[float | None, np.ndarray | None, np.ndarray | None]:
-    """Split `opacity` into what it can mean; all but one of the returned values are None.
-
-    Parameters
-    ----------
-    packing : pyvista.PolyData
-        Centres (n, 3).
-    opacity : float, str, array_like or None
-        One opacity, the name of a point array or of a transfer function, one opacity a sphere, or
-        a transfer function along the colour map.
-    n_colors : int
-        Length of a transfer function.
-    mapped : bool
-        Whether the spheres are coloured through a colour map.
-
-    Returns
-    -------
-    tuple[float or None, numpy.ndarray or None, numpy.ndarray or None]
-        Opacity of the actor; opacities of the spheres (n,) in [0, 1]; transfer function
-        (n_colors,) in [0, 255].
+    numpy.ndarray
+        The transformation (4, 4); its last row is 0, 0, 0, 1.
 
     Raises
     ------
     ValueError
-        If an opacity is not in [0, 1], or there is a transfer function and no colour map.
+        If it is no such transformation.
     """
-    if opacity is None:
-        opacity = 1.0
-    if isinstance(opacity, str) and opacity in packing.point_data:
-        opacity = np.asarray(packing.point_data[opacity])
-    per_sphere = not isinstance(opacity, str) and np.shape(opacity) == (packing.n_points,)
-    if (np.ndim(opacity) == 0 and not isinstance(opacity, str)) or per_sphere:
-        values = np.asarray(opacity, dtype=float)
-        if not np.all((values >= 0.0) & (values <= 1.0)):
-            raise ValueError(f"opacity: found {opacity}, expected values from 0 to 1")
-        return (None, values, None) if per_sphere else (float(values), None, None)
-    if not mapped:
+    if matrix is None:
+        return np.eye(4)
+    try:
+        array = pv.Transform(matrix).matrix
+    except (TypeError, ValueError) as error:
+        raise ValueError(f"user_matrix: {' '.join(str(error).split())}") from None
+    *shear, unit = array[3]
+    if any(shear) or unit == 0.0:
+        raise ValueError(f"user_matrix: found {array[3]} as its last row, expected 0 0 0 1")
+    # The mapper takes the last row for granted.
+    with np.errstate(over="ignore", invalid="ignore"):
+        array = array / unit
+    finite = np.isfinite(array).all()
+    scales = np.linalg.svd(array[:3, :3], compute_uv=False) if finite else np.full(3, np.inf)
+    low, high = _SCALES
+    if not low <= scales[-1] <= scales[0] <= high:
         raise ValueError(
-            "opacity: a transfer function needs scalars on a colour map, expected one number or "
-            f"one for each of {packing.n_points} spheres"
+            f"user_matrix: found a scale of {scales[-1]:g}, expected {low:g} to {high:g}"
         )
-    return None, None, pv.opacity_transfer_function(opacity, n_colors)
+    # Stricter than the mapper, which allows 1e-6 between the squares and has to round as well.
+    if scales[0] - scales[-1] > 2e-7 * scales[0]:
+        factors = ", ".join(f"{scale:.6g}" for scale in scales)
+        raise ValueError(
+            f"user_matrix: found the scales {factors}, expected one in all directions: spheres "
+            "allow rotation, translation and uniform scale"
+        )
+    return array
+
+
+def property_of(
+    theme: Theme,
+    lighting: bool | None,
+    ambient: float | None,
+    diffuse: float | None,
+    specular: float | None,
+    specular_power: float | None,
+) -> pv.Property:
+    """Make the material of spheres, or a ValueError; what is None is the theme's."""
+    shares = {"ambient": ambient, "diffuse": diffuse, "specular": specular}
+    for name, value in shares.items():
+        if value is not None:
+            number_of(name, value, 0.0, 1.0)
+    if specular_power is not None:
+        number_of("specular_power", specular_power, 0.0, 128.0)
+    return pv.Property(
+        theme=theme,
+        style="surface",
+        interpolation="Phong",
+        show_edges=False,
+        lighting=lighting,
+        specular_power=specular_power,
+        **shares,
+    )
+
+
+def check_scene(plotter: pv.BasePlotter, name: str | None) -> None:
+    """Raise a ValueError if the plotter cannot show spheres or `name` is no name of an actor."""
+    scale = plotter.renderer.scale
+    if len(set(scale)) > 1:
+        raise ValueError(f"the plotter's scale: found {scale}, expected the same for all axes")
+    if name is not None and not (isinstance(name, str) and name):
+        raise ValueError(f"name: found {name!r}, expected a text that is not empty, or None")

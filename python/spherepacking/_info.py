@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from decimal import Decimal
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -15,6 +16,7 @@ _BINS = 10
 _BAR = 40
 # Radii that spread over more than this ratio are binned by their logarithm.
 _WIDE = 20.0
+_TINY, _HUGE = Decimal("1e-300"), Decimal("1e300")
 
 
 def _histogram(radii: np.ndarray) -> list[str]:
@@ -24,7 +26,7 @@ def _histogram(radii: np.ndarray) -> list[str]:
     lines = []
     if high == 0.0 or low == high:
         edges = np.array([low, high])
-    elif high > _WIDE * positive.min():
+    elif high / _WIDE > positive.min():
         edges = np.geomspace(positive.min(), high, _BINS + 1)
         if zeros := len(radii) - len(positive):
             lines.append((0.0, 0.0, zeros))
@@ -41,6 +43,24 @@ def _histogram(radii: np.ndarray) -> list[str]:
         f"  {a:>11.5g} .. {b:<11.5g} {count:>9,}  {'#' * round(_BAR * count / most)}".rstrip()
         for a, b, count in lines
     ]
+
+
+def _median(radii: np.ndarray) -> float:
+    # The mean of the middle two may be infinite before it is halved.
+    half = 0.5 if radii.max() > 1e300 else 1.0
+    return float(np.median(half * radii) / half)
+
+
+def _volume(radii: np.ndarray) -> str:
+    """Sum of the volumes of spheres with radii (n,), n > 0, also where no float holds it."""
+    largest = radii.max()
+    if largest == 0.0:
+        return "0"
+    share = 4.0 / 3.0 * np.pi * np.sum((radii / largest) ** 3)
+    volume = Decimal(float(share)) * Decimal(float(largest)) ** 3
+    # Numbers are shown alike wherever a float holds them.
+    inside = _TINY < volume < _HUGE
+    return f"{float(volume):.6g}" if inside else f"{volume:.5e}"
 
 
 def describe(packing: pv.PolyData) -> str:
@@ -67,8 +87,8 @@ def describe(packing: pv.PolyData) -> str:
             for axis, (low, high) in zip("xyz", box, strict=True)
         ]
         lines += [
-            f"radius   {radii.min():.6g} .. {radii.max():.6g}, median {np.median(radii):.6g}",
-            f"volume   {spheres.volume:.6g} (sum over the spheres)",
+            f"radius   {radii.min():.6g} .. {radii.max():.6g}, median {_median(radii):.6g}",
+            f"volume   {_volume(radii)} (sum over the spheres)",
         ]
         others = [name for name in packing.point_data if name != "radius"]
         if others:

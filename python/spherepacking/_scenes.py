@@ -36,7 +36,7 @@ def _radii(count: int, volume: float) -> np.ndarray:
 
 
 def knot_tube(count: int, seed: int = 0) -> pv.PolyData:
-    """Make a polydisperse packing in a knotted tube about 3.4 wide, with random overlaps.
+    """Make a polydisperse packing in a knotted tube 3.18 wide, with random overlaps.
 
     Parameters
     ----------

@@ -79,8 +79,12 @@ class PackingAccessor:
 
     @property
     def volume(self) -> float:
-        """Sum of the volumes of the spheres, overlaps counted as often as they occur."""
-        return float(4.0 / 3.0 * np.pi * np.sum(np.asarray(self.radii, dtype=float) ** 3))
+        """Sum of the volumes of the spheres, overlaps counted as often as they occur.
+
+        Infinite if it is more than a float holds.
+        """
+        with np.errstate(over="ignore"):
+            return float(4.0 / 3.0 * np.pi * np.sum(np.asarray(self.radii, dtype=float) ** 3))
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write the packing, see :func:`spherepacking.write`."""

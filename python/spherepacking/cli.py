@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import math
+import os
+import signal
 import sys
 from pathlib import Path
 from typing import Annotated
@@ -100,7 +103,7 @@ def render(
         Smooth edges, by drawing a larger picture and averaging it.
     """
     from ._offscreen import choose_window
-    from ._view import aim, fit
+    from ._view import aim, check_extent, fit
     from .image import check_output
 
     check_output(output)
@@ -110,35 +113,19 @@ def render(
     import pyvista as pv
 
     spheres = _read(packing)
+    check_extent(str(packing), spheres)
     plotter = pv.Plotter(off_screen=True, window_size=list(size))
     try:
-        if background is not None:
-            plotter.set_background(background)
+        _set_background(plotter, background)
         if anti_aliasing:
             plotter.enable_anti_aliasing("ssaa")
-        unasked = scalars is None and cmap is None and clim is None
-        if color is None and unasked and _all_alike(spheres):
-            color = plotter.theme.color
-        if log_scale is None and color is None and scalars in (None, "radius"):
-            log_scale, clim = _radius_scale(spheres, clim)
-        plotter.packing.add(
-            spheres,
-            scalars=scalars,
-            cmap=cmap,
-            clim=clim,
-            log_scale=bool(log_scale),
-            color=color,
-            opacity=opacity,
-            show_scalar_bar=scalar_bar,
-            specular=0.3,
-            specular_power=20.0,
-        )
+        _add(plotter, spheres, scalars, cmap, clim, log_scale, color, opacity, scalar_bar)
         aim(plotter.camera, camera, focal, up)
         if view_angle is not None:
             plotter.camera.view_angle = view_angle
         elif camera is None and focal is None and spheres.n_points:
             # The scalar bar needs room at the bottom.
-            fit(plotter.camera, spheres, size, 0.78 if scalar_bar and color is None else 0.92)
+            fit(plotter.camera, spheres, size, 0.78 if len(plotter.scalar_bars) else 0.92)
         if parallel:
             plotter.enable_parallel_projection()
         plotter.camera.zoom(zoom)
@@ -146,6 +133,47 @@ def render(
         plotter.packing.screenshot(output, transparent_background=transparent)
     finally:
         plotter.close()
+
+
+def _set_background(plotter: object, background: str | None) -> None:
+    from ._arguments import color_of
+
+    if background is not None:
+        plotter.set_background(color_of("--background", background))
+
+
+def _add(
+    plotter: object,
+    spheres: object,
+    scalars: str | None,
+    cmap: str | None,
+    clim: tuple[float, float] | None,
+    log_scale: bool | None,
+    color: str | None,
+    opacity: float,
+    scalar_bar: bool,
+) -> None:
+    """Add the spheres in the look that was asked for, and else in one that suits the radii."""
+    if scalars is not None and scalars not in spheres.point_data:
+        there = ", ".join(spheres.point_data.keys())
+        raise ValueError(f"--scalars: found no array {scalars!r}, expected one of: {there}")
+    unasked = scalars is None and cmap is None and clim is None
+    if color is None and unasked and _all_alike(spheres):
+        color = plotter.theme.color
+    if log_scale is None and color is None and scalars in (None, "radius"):
+        log_scale, clim = _radius_scale(spheres, clim)
+    plotter.packing.add(
+        spheres,
+        scalars=scalars,
+        cmap=cmap,
+        clim=clim,
+        log_scale=bool(log_scale),
+        color=color,
+        opacity=opacity,
+        show_scalar_bar=scalar_bar,
+        specular=0.3,
+        specular_power=20.0,
+    )
 
 
 def _all_alike(packing: object) -> bool:
@@ -176,8 +204,8 @@ def _check_view(
         raise ValueError(
             f"--size: found {size[0]} {size[1]}, expected numbers of pixels from 1 to {largest}"
         )
-    if not zoom > 0.0:
-        raise ValueError(f"--zoom: found {zoom}, expected a number above 0")
+    if not 0.0 < zoom < math.inf:
+        raise ValueError(f"--zoom: found {zoom}, expected a finite number above 0")
     if view_angle is not None and not 0.0 < view_angle < 180.0:
         raise ValueError(f"--view-angle: found {view_angle}, expected degrees from 0 to 180")
 
@@ -212,6 +240,20 @@ def convert(source: Path, target: Path, /) -> None:
     write(_read(source), target)
 
 
+def _flush() -> None:
+    """Write out what was printed; at the interpreter's end nobody could be told of a failure."""
+    try:
+        # None when the process was started without.
+        if sys.stdout is not None:
+            sys.stdout.flush()
+    except OSError:
+        # The interpreter flushes again when it ends.
+        nowhere = os.open(os.devnull, os.O_WRONLY)
+        os.dup2(nowhere, sys.stdout.fileno())
+        os.close(nowhere)
+        raise
+
+
 def main(arguments: list[str] | None = None) -> int:
     """Run the command line.
 
@@ -223,23 +265,19 @@ def main(arguments: list[str] | None = None) -> int:
     Returns
     -------
     int
-        Exit status: 0, or 2 after an error, which is told in one line on stderr.
+        Exit status: 0, 2 after an error, which is told in one line on stderr, or 128 and the
+        number of the signal that the shell knows the ending by.
     """
     try:
         app(arguments, exit_on_error=False, print_error=False, result_action="return_value")
-    except (
-        CycloptsError,
-        OSError,
-        ValueError,
-        KeyError,
-        TypeError,
-        ImportError,
-    ) as error:
-        # str() of a KeyError is quoted.
-        text = error.args[0] if isinstance(error, KeyError) else str(error)
-        print(f"spherepacking: {' '.join(str(text).split())}", file=sys.stderr)
+        _flush()
+    except BrokenPipeError:
+        # Whoever reads the output has seen enough, as `head` does.
+        return 128 + signal.SIGPIPE
+    except (CycloptsError, OSError, ValueError, ImportError) as error:
+        print(f"spherepacking: {' '.join(str(error).split())}", file=sys.stderr)
         return 2
     except KeyboardInterrupt:
         print("spherepacking: stopped", file=sys.stderr)
-        return 130
+        return 128 + signal.SIGINT
     return 0

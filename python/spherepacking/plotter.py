@@ -8,6 +8,9 @@ import numpy as np
 import pyvista as pv
 
 from . import _arguments as arguments
+from ._colour_map import colour_map_of, special_colours, widened
+from ._scalar_bar import scalar_bar_of
+from ._scalars import opacity_of, scalars_of
 
 if TYPE_CHECKING:
     import os
@@ -15,6 +18,10 @@ if TYPE_CHECKING:
 
     from numpy.typing import ArrayLike
     from pyvista.plotting._typing import ColorLike
+    from pyvista.plotting.themes import Theme
+
+    from ._scalars import Opacity, Scalars
+    from .mapper import SpherePackingMapper
 
 
 @pv.register_plotter_component("packing")
@@ -122,7 +129,7 @@ class PackingComponent:
         flip_scalars : bool, default: False
             Turn the colour map round.
         log_scale : bool, default: False
-            Map scalars logarithmically.
+            Map scalars logarithmically. They have to be positive, or `clim` has to be.
         annotations : dict[float, str], optional
             Texts beside values of the scalar bar.
         nan_color, below_color, above_color : ColorLike, optional
@@ -138,7 +145,8 @@ class PackingComponent:
         ambient, diffuse, specular, specular_power : float, optional
             Material, see :class:`pyvista.Property`.
         user_matrix : array_like, optional
-            Transformation (4, 4) of the actor.
+            Transformation (4, 4) of the actor: rotation, mirroring, translation and a uniform
+            scale, since spheres stay spheres.
         pickable : bool, default: True
             Whether the actor can be picked.
         reset_camera : bool, optional
@@ -156,12 +164,15 @@ class PackingComponent:
         KeyError
             If `radius` or `scalars` names an array that is not there.
         TypeError
-            If `packing` is no PolyData or the radii are no real numbers.
+            If `packing` is no PolyData, the radii are no real numbers, or another argument is of
+            a type that cannot be meant.
         ValueError
             If there is not one value a sphere, or a radius is negative, infinite or NaN, or
-            another argument is out of its range. Nothing is added then.
+            another argument is out of its range.
         RuntimeError
             If the plotter has been closed.
+
+        Each names the argument, and the plotter is as it was.
 
         Examples
         --------
@@ -178,74 +189,57 @@ class PackingComponent:
         >>> plotter.close()
         """
         plotter = self.plotter
+        arguments.check_scene(plotter, name)
         packing, radius = arguments.radii_of(arguments.packing_of(packing), radius)
-        if scalars is None and color is None and packing.n_points:
-            scalars = packing.point_data.active_scalars_name
-        colouring = arguments.colouring_of(packing, scalars, rgb, opacity, n_colors)
-        if colouring.attached:
-            # The mapper adds the arrays to its dataset.
-            packing = packing.copy(deep=False)
-        if color is None or color is True:
-            color = plotter.renderer.next_color
-        bar = {"n_colors": n_colors} if scalar_bar_args is None else dict(scalar_bar_args)
-        if isinstance(scalars, str):
-            bar.setdefault("title", scalars)
+        matrix = arguments.similarity_of(user_matrix)
+        prop = arguments.property_of(
+            plotter.theme, lighting, ambient, diffuse, specular, specular_power
+        )
+        scalars = scalars_of(packing, scalars, rgb, active=color is None)
+        color = arguments.color_of("color", color)
+        words = colour_map_of(
+            scalars, component, cmap, clim, n_colors, categories, log_scale, annotations
+        )
+        words |= special_colours(plotter.theme, nan_color, nan_opacity, below_color, above_color)
+        opacity = opacity_of(packing, opacity, words["n_colors"], scalars)
+        if scalars.foreign or opacity.each is not None:
+            packing = packing.copy(deep=False)  # to which the mapper adds arrays
+        bar = scalar_bar_of(plotter, scalars, n_colors, show_scalar_bar, scalar_bar_args)
+        # Nothing has changed so far, and what comes does not fail.
+        prop.color = plotter.renderer.next_color if color is None or color is True else color
+        prop.opacity = 1.0 if opacity.whole is None else opacity.whole
+        words |= {"flip_scalars": flip_scalars, "scalar_bar_args": bar}
+        mapper = _mapper(packing, plotter.theme, radius, scalars, opacity, prop.color, words)
+        actor = pv.Actor(mapper, prop)
+        actor.user_matrix = matrix
+        self._show(actor, packing, bar, name, pickable, reset_camera, render)
+        return actor
 
-        mapper = _mapper(
-            packing,
-            plotter.theme,
-            radius,
-            colouring,
-            color,
-            n_colors=n_colors,
-            scalar_bar_args=bar,
-            component=component,
-            annotations=annotations,
-            log_scale=log_scale,
-            nan_color=pv.Color(
-                nan_color, opacity=nan_opacity, default_color=plotter.theme.nan_color
-            ),
-            above_color=above_color,
-            below_color=below_color,
-            cmap=cmap,
-            flip_scalars=flip_scalars,
-            categories=categories,
-            clim=clim,
-        )
-        actor = pv.Actor(mapper=mapper)
-        if user_matrix is not None:
-            actor.user_matrix = user_matrix
-        actor.prop = pv.Property(
-            theme=plotter.theme,
-            style="surface",
-            interpolation="Phong",
-            show_edges=False,
-            color=color,
-            opacity=colouring.opacity,
-            lighting=lighting,
-            ambient=ambient,
-            diffuse=diffuse,
-            specular=specular,
-            specular_power=specular_power,
-        )
+    def _show(
+        self,
+        actor: pv.Actor,
+        packing: pv.PolyData,
+        bar: dict[str, object] | None,
+        name: str | None,
+        pickable: bool,
+        reset_camera: bool | None,
+        render: bool,
+    ) -> None:
+        plotter = self.plotter
         plotter.mesh = packing
-        plotter.mapper = mapper
+        plotter.mapper = actor.mapper
         plotter.add_actor(
             actor,
             name=name,
-            pickable=pickable,
+            pickable=bool(pickable),
             reset_camera=reset_camera,
             render=False,
             remove_existing_actor=name is not None,
         )
-        if show_scalar_bar is None:
-            wanted = plotter.theme.show_scalar_bar or scalar_bar_args
-            show_scalar_bar = bool(wanted) and not colouring.rgb
-        if show_scalar_bar and mapper.scalar_visibility and colouring.scalars is not None:
-            plotter.add_scalar_bar(mapper=mapper, render=False, **bar)
+        if bar is not None:
+            plotter.add_scalar_bar(mapper=actor.mapper, render=False, **bar)
         if render:
             plotter.render()
-        return actor
 
     def screenshot(
         self,
@@ -277,10 +271,13 @@ class PackingComponent:
         ------
         OSError
             If the file cannot be written.
+        RuntimeError
+            If the spheres cannot be drawn in this view; nothing is written.
         ValueError
             If the format is unknown.
         """
         from .image import check_output, write_image
+        from .mapper import SpherePackingMapper
 
         check_output(filename)
         pixels = self.plotter.screenshot(
@@ -290,41 +287,44 @@ class PackingComponent:
             window_size=window_size,
             scale=scale,
         )
+        for renderer in self.plotter.renderers:
+            for actor in renderer.actors.values():
+                mapper = getattr(actor, "mapper", None)
+                if isinstance(mapper, SpherePackingMapper) and mapper.GetErrorMessage():
+                    raise RuntimeError(f"the spheres cannot be drawn: {mapper.GetErrorMessage()}")
         write_image(filename, np.asarray(pixels))
         return pixels
 
 
 def _mapper(
     packing: pv.PolyData,
-    theme: object,
+    theme: Theme,
     radius: str,
-    colouring: arguments.Colouring,
-    color: ColorLike,
-    *,
-    n_colors: int,
-    **words: object,
-) -> object:
+    scalars: Scalars,
+    opacity: Opacity,
+    color: pv.Color,
+    words: dict[str, object],
+) -> SpherePackingMapper:
     """Make the mapper; `words` are those of :meth:`pyvista.DataSetMapper.set_scalars`."""
     from .mapper import SpherePackingMapper
 
     mapper = SpherePackingMapper(packing, theme, radius)
-    mapper.scalar_visibility = False
     # The range of no scalars is not defined.
-    if not packing.n_points:
+    coloured = scalars.values is not None or opacity.each is not None
+    mapper.scalar_visibility = coloured and packing.n_points > 0
+    if not mapper.scalar_visibility:
         return mapper
-    if colouring.scalars is not None:
-        opacities = colouring.opacities
-        mapper.set_scalars(
-            colouring.scalars,
-            colouring.name,
-            n_colors=n_colors,
-            rgb=colouring.rgb,
-            custom_opac=opacities is not None,
-            opacity=colouring.transfer if opacities is None else opacities,
-            **words,
-        )
-        mapper.scalar_visibility = True
-    elif colouring.opacities is not None:
-        mapper.set_custom_opacity(colouring.opacities, color=color, n_colors=n_colors)
-        mapper.scalar_visibility = True
+    if scalars.values is None:
+        mapper.set_custom_opacity(opacity.each, color=color, n_colors=words["n_colors"])
+        return mapper
+    if opacity.each is not None:
+        words = words | {"clim": widened(scalars, words["component"], words["clim"])}
+    mapper.set_scalars(
+        scalars.values,
+        scalars.name,
+        rgb=scalars.rgb,
+        custom_opac=opacity.each is not None,
+        opacity=opacity.transfer if opacity.each is None else opacity.each,
+        **words,
+    )
     return mapper

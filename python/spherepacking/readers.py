@@ -93,7 +93,7 @@ class SpherePackingReader(pv.BaseReader, pv.TimeReader):
         return len(self.time_values)
 
     def time_point_value(self, time_point: int) -> float:
-        """Return the time step at an index."""
+        """Return the time step at an index, or raise an IndexError."""
         return self.time_values[time_point]
 
     @property
@@ -102,36 +102,14 @@ class SpherePackingReader(pv.BaseReader, pv.TimeReader):
         return next(iter(self.time_values), None) if self._time is None else self._time
 
     def set_active_time_value(self, time_value: float) -> None:
-        """Choose the time step to read.
-
-        Parameters
-        ----------
-        time_value : float
-            One of `time_values`.
-
-        Raises
-        ------
-        ValueError
-            If there is no such time step.
-        """
+        """Choose the time step to read, one of `time_values`, or raise a ValueError."""
         values = self.time_values
         if time_value not in values:
             raise ValueError(f"time_value: found {time_value}, expected one of {values}")
         self._time = time_value
 
     def set_active_time_point(self, time_point: int) -> None:
-        """Choose the time step to read by its index.
-
-        Parameters
-        ----------
-        time_point : int
-            Index into `time_values`.
-
-        Raises
-        ------
-        IndexError
-            If there is no such time step.
-        """
+        """Choose the time step to read by its index, or raise an IndexError."""
         self._time = self.time_point_value(time_point)
 
     def read(self, *, validate: bool | None = None) -> pv.PolyData:
@@ -145,14 +123,7 @@ class SpherePackingReader(pv.BaseReader, pv.TimeReader):
         Returns
         -------
         pyvista.PolyData
-            Centres as points (n, 3), radii as active point array ``radius`` (n,), other numeric
-            columns of the file as further point arrays. Units are those of the file.
-
-        Raises
-        ------
-        PackingFileError
-            If the file is no packing. The message names file and line, what was found and what
-            was expected.
+            What :func:`spherepacking.read` returns, and it raises the same PackingFileError.
         """
         # pyvista.read() listens too, and would log what is raised below.
         self._errors.listen_alone(self.reader)
@@ -208,6 +179,8 @@ def read(
         If there is no such file.
     IsADirectoryError
         If `path` is a directory.
+    OSError
+        If it is a pipe or a device.
     PackingFileError
         If the file is no packing. The message names file and line, what was found and what was
         expected.
@@ -218,6 +191,8 @@ def read(
     >>> packing = spherepacking.read("packing.spheres")  # doctest: +SKIP
     """
     path = Path(path).expanduser()
+    if path.exists() and not (path.is_file() or path.is_dir()):
+        raise OSError(f"{path}: found a pipe or a device, expected a file")
     reader = SpherePackingReader(path)
     reader.precision = precision
     watch = (

@@ -2,9 +2,9 @@
 
 import os
 import re
+import signal
 import subprocess
 import sys
-import time
 
 import numpy as np
 import pytest
@@ -22,11 +22,12 @@ def file(tmp_path):
     return path
 
 
-def run(*arguments, **environment):
+def run(*arguments, stdout=subprocess.PIPE, **environment):
     return subprocess.run(
         [sys.executable, "-m", "spherepacking", *map(str, arguments)],
         env=os.environ | environment,
-        capture_output=True,
+        stdout=stdout,
+        stderr=subprocess.PIPE,
         text=True,
         timeout=120,
         check=False,
@@ -48,16 +49,15 @@ def covered(picture):
 # --- as a process ---------------------------------------------------------------------------------
 
 
-def test_help_is_quick():
-    start = time.perf_counter()
+def test_help_names_the_commands():
     result = run("--help")
-    assert time.perf_counter() - start < 1.0
     assert result.returncode == 0
     for command in COMMANDS:
         assert command in result.stdout
 
 
 def test_help_imports_neither_vtk_nor_numpy():
+    """They take most of a second."""
     code = """
 import sys
 from spherepacking.cli import main
@@ -87,6 +87,32 @@ def test_info_as_a_process(file):
     result = run("info", file, PYTHONIOENCODING="ascii")
     assert (result.returncode, result.stderr) == (0, "")
     assert "spheres  3" in result.stdout
+
+
+def test_a_reader_that_has_seen_enough(file):
+    """As ``spherepacking info file | head -0``, whose end of the pipe is closed."""
+    reading, writing = os.pipe()
+    os.close(reading)
+    with os.fdopen(writing, "wb") as pipe:
+        result = run("info", file, stdout=pipe)
+    assert (result.returncode, result.stderr) == (128 + signal.SIGPIPE, "")
+
+
+def test_output_that_cannot_be_written(file):
+    with open("/dev/full", "wb") as full:
+        result = run("info", file, stdout=full)
+    assert result.returncode == 2
+    assert re.fullmatch(r"spherepacking: .*No space left on device\n", result.stderr)
+
+
+@pytest.mark.parametrize("error", [KeyError, TypeError, AttributeError, RuntimeError])
+def test_a_bug_is_no_error_of_the_user(monkeypatch, file, error):
+    def describe(_packing):
+        raise error("bug")
+
+    monkeypatch.setattr("spherepacking._info.describe", describe)
+    with pytest.raises(error, match="bug"):
+        main(["info", str(file)])
 
 
 # --- render ---------------------------------------------------------------------------------------
@@ -192,6 +218,49 @@ def test_render_zero_radii(tmp_path):
     assert draw(file, "--size", 50, 50).std() > 5
 
 
+@pytest.mark.parametrize("scale", [1e-15, 1e-8, 1e8, 1e13])
+@pytest.mark.parametrize("words", [(), ("--parallel",)], ids=["perspective", "parallel"])
+def test_the_unit_of_length_does_not_matter(tmp_path, scale, words):
+    """Within what render accepts, pictures differ by rounding at edges only."""
+    pictures = []
+    for unit in (1.0, scale):
+        file = tmp_path / "a.spheres"
+        mesh = pv.PolyData(unit * np.array([[0, 0, 0], [10, 0, 0], [0, 0, 10]], dtype=float))
+        mesh["radius"] = unit * np.array([2.0, 1.0, 0.5])
+        spherepacking.write(mesh, file)
+        pictures.append(draw(file, *PLAIN, "--no-anti-aliasing", *words).astype(int))
+    assert covered(pictures[0]) > 0.01
+    assert (np.abs(pictures[1] - pictures[0]).max(axis=-1) > 8).sum() <= 4
+
+
+EXTREME = {
+    "over a length of 2e\\+155": "0 0 0 1e155\n",
+    "over a length of inf": "1e308 0 0 1\n-1e308 0 0 1\n",
+    "over a length of 2.1e-300": "0 0 0 1e-300\n1e-300 0 0 1e-301\n",
+    "at coordinates up to 1e\\+300": "1e300 0 0 1\n",
+}
+
+
+@pytest.mark.parametrize("message", EXTREME)
+def test_render_says_what_a_picture_cannot_hold(tmp_path, capfd, message):
+    file = tmp_path / "a.spheres"
+    file.write_text(EXTREME[message])
+    output = tmp_path / "a.png"
+    assert main(["render", str(file), "-o", str(output)]) == 2
+    err = capfd.readouterr().err
+    assert re.fullmatch(
+        f"spherepacking: .*a.spheres: found spheres .*{message}.*, expected .*\n", err
+    )
+    assert not output.exists()
+
+
+@pytest.mark.parametrize("factor", ["1e300", "1e-300"])
+def test_length_of_up_does_not_matter(file, factor):
+    words = ("--camera", 20, 0, 0, "--focal", 0, 0, 0)
+    expected = draw(file, *PLAIN, *words, "--up", 0, 1, 1)
+    assert np.array_equal(draw(file, *PLAIN, *words, "--up", 0, factor, factor), expected)
+
+
 @pytest.mark.parametrize("name", ["deme_TeddyBear.csv", "voronota_3dlb.xyzr", "apbs_achbp.pqr"])
 def test_render_real_input(tmp_path, data_file, name):
     output = tmp_path / "a.png"
@@ -237,6 +306,25 @@ def test_histogram_counts_every_sphere_once(tmp_path, capsys, radii):
         assert inside >= int(words[3])
 
 
+@pytest.mark.parametrize(
+    ("radii", "line"),
+    [
+        (["1e155"], "volume   4.18879e+465 "),
+        (["1e308", "1e308"], "radius   1e+308 .. 1e+308, median 1e+308"),
+        (["1e307", "1.5e308"], "volume   1.41414e+925 "),
+        (["1e-200"], "volume   4.18879e-600 "),
+        (["0", "0"], "volume   0 "),
+    ],
+)
+def test_info_beyond_the_range_of_numbers(tmp_path, capfd, radii, line):
+    file = tmp_path / "a.spheres"
+    file.write_text("".join(f"0 0 0 {radius}\n" for radius in radii))
+    assert main(["info", str(file)]) == 0
+    out, err = capfd.readouterr()
+    assert line in out
+    assert err == ""
+
+
 def test_convert(tmp_path, file):
     target = tmp_path / "out.spheres"
     source = tmp_path / "in.csv"
@@ -260,9 +348,22 @@ ERRORS = {
     "render {bad} -o {png}": "bad.spheres.*line 2",
     "render {good} -o {png} --zoom big": "big",
     "render {good} -o {png} --zoom 0": "--zoom: found 0",
+    "render {good} -o {png} --zoom inf": "--zoom: found inf",
+    "render {good} -o {png} --zoom nan": "--zoom: found nan",
+    "render {good} -o {png} --camera nan 0 0": "--camera: found nan 0 0, expected",
+    "render {good} -o {png} --camera 0 inf 0": "--camera: found 0 inf 0, expected",
+    "render {good} -o {png} --focal inf 0 0": "--focal: found inf 0 0, expected",
+    "render {good} -o {png} --up 0 nan 0": "--up: found 0 nan 0, expected",
+    "render {good} -o {png} --up 0 0 0": "--up: found 0 0 0, expected a direction",
+    "render {good} -o {png} --camera 1e300 0 0": r"--camera: found a distance of 1e\+300",
+    "render {good} -o {png} --clim 2 1": "clim: found .*2.0, 1.0.*, expected",
+    "render {good} -o {png} --clim nan 1": "clim: found .*nan, 1.0.*, expected",
+    "render {good} -o {png} --clim -1 1 --log-scale": "log_scale: found a clim from -1 to 1",
+    "render {good} -o {png} --background nonsense": "--background: found 'nonsense'",
+    "info /dev/null": "/dev/null: found a pipe or a device, expected a file",
     "render {good} -o {png} --size 0 5": "--size: found 0 5",
     "render {good} -o {png} --view-angle 180": "--view-angle: found 180",
-    "render {good} -o {png} --scalars mass": "scalars: .*'mass'",
+    "render {good} -o {png} --scalars mass": "--scalars: found no array 'mass', .*: radius",
     "render {good} -o {png} --color nonsense": "nonsense",
     "render {good} -o {png} --cmap nonsense": "nonsense",
     "render {good} -o {png} --opacity 2": "opacity: found 2",
@@ -273,6 +374,13 @@ ERRORS = {
     "convert {good} {folder}/a.nonsense": "nonsense",
     "convert {bad} {folder}/a.spheres": "bad.spheres.*line 2",
 }
+
+
+def test_no_name_is_no_file(capfd):
+    assert main(["info", ""]) == 2
+    assert re.fullmatch(
+        "spherepacking: .*is a directory, expected a file .*\n", capfd.readouterr().err
+    )
 
 
 @pytest.mark.parametrize("line", ERRORS)

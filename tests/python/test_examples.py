@@ -9,6 +9,9 @@ import pytest
 import spherepacking
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
+GALLERY = [path.name for path in sorted(EXAMPLES.glob("plot_*.py"))]
+# pytest only skips what has no parameters.
+assert GALLERY, f"no plot_*.py in {EXAMPLES}"
 
 
 def run(script, *arguments, cwd):
@@ -37,7 +40,7 @@ def test_the_saved_packing_is_exact():
     assert np.array_equal(packing["radius"], made["radius"])
 
 
-@pytest.mark.parametrize("script", [path.name for path in sorted(EXAMPLES.glob("plot_*.py"))])
+@pytest.mark.parametrize("script", GALLERY)
 def test_gallery_scripts_leave_a_picture(tmp_path, script):
     result = run(script, cwd=tmp_path)
     assert (result.returncode, result.stderr) == (0, "")
