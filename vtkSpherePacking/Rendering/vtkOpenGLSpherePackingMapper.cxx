@@ -123,10 +123,12 @@ void vtkOpenGLSpherePackingMapper::RenderPiece(vtkRenderer* ren, vtkActor* act)
     return;
   }
   auto* window = static_cast<vtkOpenGLRenderWindow*>(ren->GetRenderWindow());
-  this->ResourceCallback->RegisterGraphicsResources(window);
-  if (!window->IsCurrent())
+  if (!this->ResourceCallback->IsWindowRegistered(window))
   {
-    window->MakeCurrent(); // the one whose resources have been released may be current
+    this->ResourceCallback->RegisterGraphicsResources(window);
+    // The one whose resources have been released may be current. It cannot be asked, since an EGL
+    // window always says that it is.
+    window->MakeCurrent();
   }
   RestoreViewport(window->GetState());
   this->CurrentInput = this->GetInput();
@@ -338,7 +340,13 @@ void vtkOpenGLSpherePackingMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
   if (!this->ResourceCallback->IsReleasing())
   {
-    this->ResourceCallback->Release(); // comes back here in the context that holds them
+    // What another window holds goes with that one. Its context would stay current here, and what
+    // else this window releases would be taken from it.
+    if (!window ||
+      this->ResourceCallback->IsWindowRegistered(static_cast<vtkOpenGLRenderWindow*>(window)))
+    {
+      this->ResourceCallback->Release(); // comes back here in the context that holds them
+    }
     return;
   }
   this->Impl->VertexBuffer->ReleaseGraphicsResources();
