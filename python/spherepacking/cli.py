@@ -124,8 +124,9 @@ def render(
         if view_angle is not None:
             plotter.camera.view_angle = view_angle
         elif camera is None and focal is None and spheres.n_points:
-            # The scalar bar needs room at the bottom.
-            fit(plotter.camera, spheres, size, 0.78 if len(plotter.scalar_bars) else 0.92)
+            # The scalar bar needs room at the bottom, in pixels, since its letters do.
+            room = 110.0 / size[1] if len(plotter.scalar_bars) else 0.04
+            fit(plotter.camera, spheres, size, max(1.0 - 2.0 * room, 0.5))
         if parallel:
             plotter.enable_parallel_projection()
         plotter.camera.zoom(zoom)
@@ -162,6 +163,8 @@ def _add(
         color = plotter.theme.color
     if log_scale is None and color is None and scalars in (None, "radius"):
         log_scale, clim = _radius_scale(spheres, clim)
+    # VTK sets the title onto the labels; an empty line below it lifts it.
+    title = f"{scalars or 'radius'}\n"
     plotter.packing.add(
         spheres,
         scalars=scalars,
@@ -171,6 +174,7 @@ def _add(
         color=color,
         opacity=opacity,
         show_scalar_bar=scalar_bar,
+        scalar_bar_args={"title": title},
         specular=0.3,
         specular_power=20.0,
     )
