@@ -14,6 +14,16 @@ from cyclopts import App, CycloptsError, Parameter
 Vector = tuple[float, float, float]
 Output = Annotated[Path, Parameter(alias="-o")]
 
+# In the middle at the bottom. With four labels, none of them is below the title and touches it.
+_BAR = {
+    "n_labels": 4,
+    "fmt": "%.3g",
+    "width": 0.6,
+    "height": 0.09,
+    "position_x": 0.2,
+    "position_y": 0.02,
+}
+
 
 def _version() -> str:
     from . import __version__
@@ -171,6 +181,7 @@ def _add(
         color=color,
         opacity=opacity,
         show_scalar_bar=scalar_bar,
+        scalar_bar_args=_BAR,
         specular=0.3,
         specular_power=20.0,
     )
