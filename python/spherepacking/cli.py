@@ -14,6 +14,16 @@ from cyclopts import App, CycloptsError, Parameter
 Vector = tuple[float, float, float]
 Output = Annotated[Path, Parameter(alias="-o")]
 
+# In the middle at the bottom. With four labels, none of them is below the title and touches it.
+_BAR = {
+    "n_labels": 4,
+    "fmt": "%.3g",
+    "width": 0.6,
+    "height": 0.09,
+    "position_x": 0.2,
+    "position_y": 0.02,
+}
+
 
 def _version() -> str:
     from . import __version__
@@ -163,8 +173,6 @@ def _add(
         color = plotter.theme.color
     if log_scale is None and color is None and scalars in (None, "radius"):
         log_scale, clim = _radius_scale(spheres, clim)
-    # VTK sets the title onto the labels; an empty line below it lifts it.
-    title = f"{scalars or 'radius'}\n"
     plotter.packing.add(
         spheres,
         scalars=scalars,
@@ -174,7 +182,7 @@ def _add(
         color=color,
         opacity=opacity,
         show_scalar_bar=scalar_bar,
-        scalar_bar_args={"title": title},
+        scalar_bar_args=_BAR,
         specular=0.3,
         specular_power=20.0,
     )
