@@ -197,9 +197,10 @@ def test_an_eleventh_scalar_bar():
 def test_interactive_scalar_bar_in_several_views():
     mesh = packing(height=[0, 1, 2])
     with plotter(shape=(1, 2)) as scene:
+        before = dict(scene.actors)  # some versions of PyVista draw the borders of the views
         with pytest.raises(ValueError, match=r"interactive in a plotter of shape \(1, 2\)"):
             scene.packing.add(mesh, scalars="height", scalar_bar_args={"interactive": True})
-        assert not scene.actors
+        assert dict(scene.actors) == before
 
 
 def test_a_stretched_scene():
