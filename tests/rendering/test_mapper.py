@@ -330,7 +330,7 @@ def test_transparent_background():
 
 
 def selects(test):
-    """Let a test leave objects where vtkHardwareSelector keeps an actor, of a mesh too, for good."""
+    """Let a test leave objects where vtkHardwareSelector keeps any actor, of meshes too."""
     return pytest.mark.allow_leaks(test) if pv.vtk_version_info < (9, 7) else test
 
 
