@@ -31,14 +31,17 @@ def number_of(name: str, value: float, low: float, high: float) -> float:
     return number
 
 
-def count_of(name: str, value: int) -> int:
-    """`value` as an integer above 0, or a TypeError or ValueError."""
+def count_of(name: str, value: int, least: int = 1) -> int:
+    """`value` as an integer that VTK holds, from `least` on, or a TypeError or ValueError."""
+    most = 2**31 - 1
     try:
         count = operator.index(value)
     except TypeError:
-        raise TypeError(f"{name}: found {value!r}, expected an integer above 0") from None
-    if count < 1:
-        raise ValueError(f"{name}: found {count}, expected an integer above 0")
+        count = None
+    if count is None or not least <= count <= most:
+        raise (TypeError if count is None else ValueError)(
+            f"{name}: found {value!r}, expected an integer from {least} to {most}"
+        )
     return count
 
 

@@ -60,6 +60,7 @@ importlib.import_module(f"{VTK_ROOT}.vtkRenderingOpenGL2")
 _core = _load("vtkSpherePackingCore")
 _rendering = _load("vtkSpherePackingRendering")
 
+vtkSpherePackingGrid = _core.vtkSpherePackingGrid
 vtkSpherePackingInput = _core.vtkSpherePackingInput
 vtkSpherePackingReader = _core.vtkSpherePackingReader
 vtkSpherePackingWriter = _core.vtkSpherePackingWriter

@@ -92,6 +92,60 @@ class PackingAccessor:
 
         write(self._packing, path)
 
+    def grid_boxes(self, cuts: int = 6, *, as_lines: bool = False) -> pv.PolyData:
+        """Boxes of the cells of a uniform grid that spheres touch.
+
+        The bounds of the packing are cut `cuts` times along each axis. A cell is touched when the
+        centre of a sphere is no farther from it than the radius (J. Arvo, "A Simple Method for
+        Box-Sphere Intersection Testing", Graphics Gems, 1990).
+
+        Parameters
+        ----------
+        cuts : int, default: 6
+            How often each axis is cut, 0 or more; there are ``(cuts + 1) ** 3`` cells.
+        as_lines : bool, default: False
+            Twelve lines a box instead of six quads.
+
+        Returns
+        -------
+        pyvista.PolyData
+            Six quads (or twelve lines) a box, with the cell arrays ``box_id`` (the cell, x
+            fastest), ``depth`` (0) and ``count`` (spheres that touch the cell), and the field
+            arrays ``build_seconds``, ``memory_bytes`` and ``occupied_share``. Empty for an empty
+            packing.
+
+        Raises
+        ------
+        KeyError
+            If there is no point array ``radius``.
+        TypeError
+            If `cuts` is no integer, or the radii are no real numbers.
+        ValueError
+            If `cuts` is negative or makes more cells than fit in memory, or a radius is none.
+
+        Examples
+        --------
+        >>> import spherepacking
+        >>> boxes = spherepacking.apollonian(2).packing.grid_boxes(1)
+        >>> boxes.n_cells // 6
+        8
+        """
+        from ._backend import vtkSpherePackingGrid
+        from ._errors import ErrorLog
+
+        cuts = arguments.count_of("cuts", cuts, least=0)
+        if self.n_spheres:
+            arguments.radii_of(self._packing, "radius")
+        grid = vtkSpherePackingGrid()
+        log = ErrorLog(grid)
+        grid.SetInputData(self._packing)
+        grid.SetCuts(cuts)
+        grid.SetBoxesAsLines(as_lines)
+        grid.Update()
+        if log.messages:
+            raise ValueError(grid.GetErrorMessage() or "\n".join(log.messages))
+        return pv.wrap(grid.GetOutput())
+
     def plot(self, **kwargs: object) -> object:
         """Show the packing in a window, or offscreen in a picture.
 

@@ -3,16 +3,8 @@
 import numpy as np
 import pytest
 import pyvista as pv
+from arrays import packing_of
 from spherepacking._backend import vtkSpherePackingInput
-
-
-def packing_of(centers, radii, name="radius"):
-    packing = pv.PolyData()
-    points = pv._vtk.vtkPoints()
-    points.SetData(pv.convert_array(np.ascontiguousarray(centers)))
-    packing.SetPoints(points)
-    packing.GetPointData().AddArray(pv.convert_array(np.asarray(radii), name=name))
-    return packing
 
 
 def refusal(packing, name="radius"):

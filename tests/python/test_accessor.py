@@ -82,3 +82,37 @@ def test_plot_with_a_word_that_nobody_knows():
     with pytest.raises(TypeError, match="colour"):
         packing().packing.plot(off_screen=True, colour="red")
     assert not pv.plotting.plotter._ALL_PLOTTERS
+
+
+def test_grid_boxes_contain_the_spheres():
+    mesh = packing()
+    boxes = mesh.packing.grid_boxes(3)
+    assert boxes.bounds == pytest.approx(mesh.packing.bounds)
+    assert boxes.n_cells == 6 * len(np.unique(boxes["box_id"]))
+    lines = mesh.packing.grid_boxes(3, as_lines=True)
+    assert lines.n_lines == 2 * boxes.n_cells
+    assert mesh.packing.grid_boxes().cell_data["box_id"].max() < 7**3
+
+
+def test_grid_boxes_of_an_empty_packing():
+    assert pv.PolyData().packing.grid_boxes(2).n_cells == 0
+
+
+@pytest.mark.parametrize(
+    ("cuts", "error", "found"),
+    [
+        (-1, ValueError, "cuts: found -1, expected an integer from 0"),
+        (2**40, ValueError, "cuts: found 1099511627776, expected an integer from 0"),
+        (2**31 - 1, ValueError, "more cells than fit"),
+        (1.5, TypeError, "cuts: found 1.5, expected an integer from 0"),
+        ("7", TypeError, "cuts: found '7', expected an integer from 0"),
+    ],
+)
+def test_grid_boxes_refuse(cuts, error, found):
+    with pytest.raises(error, match=found):
+        packing().packing.grid_boxes(cuts)
+
+
+def test_grid_boxes_need_radii():
+    with pytest.raises(KeyError, match="no point array 'radius'"):
+        pv.PolyData(np.zeros((2, 3))).packing.grid_boxes(1)
