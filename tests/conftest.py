@@ -155,16 +155,32 @@ def offscreen(request):
 # --- leaks ----------------------------------------------------------------------------------------
 
 
+def vtk_cores():
+    """Return the modules that hold the roots of VTK's classes, as far as they are loaded."""
+    names = ("cvista.vtkCommonCore", "vtkmodules.vtkCommonCore")
+    return [sys.modules[name] for name in names if name in sys.modules]
+
+
 def living_vtk_objects():
     """Return the VTK objects that Python's garbage collector knows, by id."""
-    bases = tuple(
-        sys.modules[name].vtkObjectBase
-        for name in ("cvista.vtkCommonCore", "vtkmodules.vtkCommonCore")
-        if name in sys.modules
-    )
+    bases = tuple(core.vtkObjectBase for core in vtk_cores())
     gc.collect()
     # Not isinstance: it asks a weak proxy for its class, which fails when the object is gone.
     return {id(thing): thing for thing in gc.get_objects() if issubclass(type(thing), bases)}
+
+
+def forget_the_dead():
+    """Let VTK drop the attributes of Python objects whose C++ object has gone.
+
+    VTK keeps them when the Python object goes before the C++ object, in case that comes back to
+    Python, and looks through what it keeps only when it has one more to keep.
+    """
+    for core in vtk_cores():
+        keeper = core.vtkCollection()
+        one_more = core.vtkObject()
+        one_more.attribute = True
+        keeper.AddItem(one_more)
+        del one_more  # now, while the keeper holds its C++ object
 
 
 @pytest.fixture(autouse=True)
@@ -180,6 +196,8 @@ def no_leaks(request):
     if "pyvista" in sys.modules:
         sys.modules["pyvista"].close_all()
     request.node.funcargs.clear()  # or pytest would hold what finished fixtures have returned
+    if living_vtk_objects().keys() - before:
+        forget_the_dead()
     left = [thing for key, thing in living_vtk_objects().items() if key not in before]
     names = sorted(type(thing).__name__ for thing in left)
     left.clear()
