@@ -214,6 +214,8 @@ def property_of(
     for name, value in shares.items():
         if value is not None:
             number_of(name, value, 0.0, 1.0)
+    if not (lighting is None or isinstance(lighting, (bool, np.bool_))):
+        raise ValueError(f"lighting: found {lighting!r}, expected True, False or None")
     if specular_power is not None:
         number_of("specular_power", specular_power, 0.0, 128.0)
     return pv.Property(

@@ -249,6 +249,8 @@ def convert(source: Path, target: Path, /) -> None:
     """
     from .writers import write
 
+    if target.exists() and source.exists() and target.samefile(source):
+        raise ValueError(f"{target}: found the source as the target, expected another file")
     write(_read(source), target)
 
 

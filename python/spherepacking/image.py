@@ -5,14 +5,15 @@ Alpha is straight (unassociated) on both sides: colours are not multiplied by it
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
-from typing import TYPE_CHECKING, NamedTuple
+from tempfile import TemporaryDirectory
+from typing import NamedTuple
 
 import numpy as np
 import OpenImageIO as oiio
 
-if TYPE_CHECKING:
-    import os
+from ._replace import check_replaceable, replace_file
 
 _FORMATS = {
     np.dtype(np.uint8): "uint8",
@@ -42,8 +43,7 @@ class ImageDifference(NamedTuple):
 
 
 def _create(path: Path) -> oiio.ImageOutput:
-    if not path.parent.is_dir():
-        raise FileNotFoundError(f"{path}: there is no folder {path.parent}")
+    check_replaceable(path)
     output = oiio.ImageOutput.create(str(path))
     if output is None:
         reason = oiio.geterror().strip()
@@ -56,8 +56,8 @@ def check_output(path: str | os.PathLike[str]) -> None:
 
     Raises
     ------
-    FileNotFoundError
-        If the folder does not exist.
+    OSError
+        If the folder does not exist, or it or the file cannot be written to.
     ValueError
         If no format has that extension.
     """
@@ -77,10 +77,8 @@ def write_image(path: str | os.PathLike[str], pixels: np.ndarray) -> None:
 
     Raises
     ------
-    FileNotFoundError
-        If the folder does not exist.
     OSError
-        If the file cannot be written.
+        If the folder does not exist or the file cannot be written; an earlier file is as it was.
     TypeError
         If the pixels are of another type.
     ValueError
@@ -99,11 +97,31 @@ def write_image(path: str | os.PathLike[str], pixels: np.ndarray) -> None:
     spec = oiio.ImageSpec(width, height, channels, _FORMATS[pixels.dtype])
     if channels == 4:
         spec.attribute(_STRAIGHT_ALPHA, 1)
-    output = _create(path)
-    written = output.open(str(path), spec) and output.write_image(pixels)
-    # Closing flushes the file, so it is part of writing and may fail as well.
-    if not (output.close() and written):
-        raise OSError(f"{path}: the picture cannot be written: {output.geterror().strip()}")
+    _write_whole(path, _create(path), spec, pixels)
+
+
+def _write_whole(
+    path: Path, output: oiio.ImageOutput, spec: oiio.ImageSpec, pixels: np.ndarray
+) -> None:
+    """Encode in memory, then put the file in its place.
+
+    Not every format's writer notices that a disk is full, and that of JPEG then ends the process.
+    """
+    # Some writers go by the extension, so the memory needs a name that has it.
+    with TemporaryDirectory() as folder, os.fdopen(os.memfd_create("picture"), "rb") as memory:
+        name = Path(folder, f"picture{path.suffix}")
+        name.symlink_to(f"/proc/self/fd/{memory.fileno()}")
+        written = output.open(str(name), spec) and output.write_image(pixels)
+        # Closing flushes, so it is part of writing and may fail as well.
+        if not (output.close() and written):
+            raise OSError(f"{path}: the picture cannot be written: {output.geterror().strip()}")
+        try:
+            read_image(name)
+        except OSError:
+            raise OSError(
+                f"{path}: the picture cannot be written: what was encoded cannot be read back"
+            ) from None
+        replace_file(path, memory.read())
 
 
 def read_image(path: str | os.PathLike[str]) -> np.ndarray:

@@ -111,7 +111,9 @@ class PackingComponent:
             One colour for all spheres.
         opacity : float, str or array_like, default: 1.0
             From 0 to 1: of all spheres, or one a sphere (n,) or the name of such a point array; or
-            a transfer function along the colour map, as an array or by name.
+            a transfer function along the colour map, as an array or by name. Spheres behind one
+            another mix in the right order after :meth:`pyvista.Plotter.enable_depth_peeling`;
+            with OSMesa that needs ``pyvista.Plotter(multi_samples=1)``, for meshes too.
         radius : str or array_like, default: "radius"
             Radii in the unit of the points: the name of a point array, an array (n,), or one
             number for all spheres. Zero is legal and draws nothing.
@@ -280,6 +282,8 @@ class PackingComponent:
         from .mapper import SpherePackingMapper
 
         check_output(filename)
+        # PyVista would take what is in the window, before the last changes.
+        self.plotter.render()
         pixels = self.plotter.screenshot(
             None,
             return_img=True,

@@ -57,5 +57,5 @@ def test_every_class_is_made_prints_and_goes(name):
 def test_the_metadata_is_found():
     distribution = importlib.metadata.distribution("spherepacking")
     scripts = {point.name: point.value for point in distribution.entry_points}
-    assert scripts["spherepacking"] == "spherepacking.cli:main"
+    assert scripts["spherepacking"] == "spherepacking.__main__:main"
     assert distribution.metadata["Requires-Python"] == ">=3.12"

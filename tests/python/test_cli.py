@@ -371,6 +371,7 @@ ERRORS = {
     "render {good} -o {png} --camera 9 0 0 --focal 0 0 0 --up 1 0 0": "--up: found the direction",
     "render {good} -o {folder}/a.nonsense": "a.nonsense",
     "render {good} -o {folder}/no/a.png": "there is no folder",
+    "convert {good} {good}": "good.spheres: found the source as the target, expected another file",
     "convert {good} {folder}/a.nonsense": "nonsense",
     "convert {bad} {folder}/a.spheres": "bad.spheres.*line 2",
 }
@@ -397,6 +398,24 @@ def test_one_line_and_status_2(tmp_path, capfd, line):
     assert re.search(ERRORS[line], err)
     assert not pv.plotting.plotter._ALL_PLOTTERS
     assert sorted(p.name for p in tmp_path.iterdir()) == ["bad.spheres", "good.spheres"]
+
+
+def test_stopped_while_it_is_loaded():
+    """Ctrl-C within the first tenth of a second, when the interpreter imports."""
+    code = """
+import sys
+class Stop:
+    def find_spec(self, name, path, target=None):
+        if name == "cyclopts":
+            raise KeyboardInterrupt
+sys.meta_path.insert(0, Stop())
+from spherepacking.__main__ import main
+sys.exit(main())
+"""
+    result = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, check=False
+    )
+    assert (result.returncode, result.stderr) == (130, "spherepacking: stopped\n")
 
 
 def test_status_of_the_process(tmp_path):

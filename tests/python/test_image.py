@@ -1,5 +1,9 @@
 """Pictures through OpenImageIO, checked with Pillow where it reads the format."""
 
+import os
+import subprocess
+import sys
+
 import numpy as np
 import pytest
 import spherepacking
@@ -66,6 +70,78 @@ def test_folder_instead_of_file(tmp_path):
     (tmp_path / "a.png").mkdir()
     with pytest.raises(OSError, match=r"a\.png"):
         spherepacking.write_image(tmp_path / "a.png", np.zeros((2, 2)))
+
+
+FORMATS = ("png", "jpg", "exr", "tif", "gif")
+
+# A limit on the size of files is what a full disk looks like to a writer.
+FULL_DISK = """
+import resource, signal, sys
+import numpy as np, spherepacking
+signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+resource.setrlimit(resource.RLIMIT_FSIZE, (4096, 4096))
+pixels = np.random.default_rng(0).integers(0, 256, (300, 300, 3), dtype=np.uint8)
+try:
+    spherepacking.write_image(sys.argv[1], pixels)
+except OSError as error:
+    print(error)
+"""
+
+
+@pytest.mark.parametrize("extension", FORMATS)
+def test_a_full_disk_loses_nothing(tmp_path, extension):
+    path = tmp_path / f"a.{extension}"
+    path.write_text("earlier work")
+    done = subprocess.run(
+        [sys.executable, "-c", FULL_DISK, path], capture_output=True, text=True, check=False
+    )
+    # The library for JPEG ends the process, and says why.
+    said = done.stderr if extension == "jpg" else done.stdout
+    assert "out of disk space" in said or f"{path}: the picture cannot be written: " in said
+    assert path.read_text() == "earlier work"
+    assert os.listdir(tmp_path) == [path.name]
+
+
+def test_a_full_disk_when_the_picture_is_whole(tmp_path):
+    path = tmp_path / "a.png"
+    path.write_text("earlier work")
+    code = f"""
+{FULL_DISK.split("pixels", maxsplit=1)[0]}
+from pathlib import Path
+from spherepacking._replace import replace_file
+try:
+    replace_file(Path(sys.argv[1]), bytes(5000))
+except OSError as error:
+    print(error)
+"""
+    done = subprocess.run(
+        [sys.executable, "-c", code, path], capture_output=True, text=True, check=True
+    )
+    assert done.stdout == f"{path}: the file cannot be written (File too large)\n"
+    assert path.read_text() == "earlier work"
+    assert os.listdir(tmp_path) == [path.name]
+
+
+@pytest.mark.parametrize("extension", FORMATS)
+def test_a_picture_is_replaced_behind_a_link_and_keeps_its_mode(tmp_path, rng, extension):
+    target, link = tmp_path / "target", tmp_path / f"link.{extension}"
+    target.write_text("old")
+    target.chmod(0o640)
+    link.symlink_to(target)
+    spherepacking.write_image(link, rng.integers(0, 256, (5, 9, 3), dtype=np.uint8))
+    assert link.is_symlink()
+    assert target.stat().st_mode & 0o777 == 0o640
+    assert spherepacking.read_image(link).shape[:2] == (5, 9)
+    assert sorted(os.listdir(tmp_path)) == sorted([link.name, "target"])
+
+
+def test_devices_and_pipes_are_not_replaced(tmp_path):
+    (tmp_path / "device.png").symlink_to("/dev/full")
+    os.mkfifo(tmp_path / "pipe.png")
+    for name in ("device.png", "pipe.png"):
+        for attempt in (check_output, lambda p: spherepacking.write_image(p, np.zeros((2, 2)))):
+            with pytest.raises(OSError, match=rf"{name}: found something that is no regular file"):
+                attempt(tmp_path / name)
 
 
 def test_reading_no_file(tmp_path):

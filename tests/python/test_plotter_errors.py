@@ -62,6 +62,7 @@ BAD = [
     (ValueError, r"user_matrix: found a scale of 1e\+200", stretched(1e200, 1e200, 1e200)),
     (ValueError, "user_matrix: .* as its last row", {"user_matrix": np.diag([1.0, 1, 1, 0])}),
     (ValueError, "user_matrix: .* as its last row", {"user_matrix": PERSPECTIVE}),
+    (ValueError, "lighting: found 'a', expected True, False or None", {"lighting": "a"}),
     # clim
     (ValueError, r"clim: found \(2, 1\), expected", {"clim": (2, 1)}),
     (ValueError, r"clim: found \(nan, 1\), expected", {"clim": (np.nan, 1)}),
@@ -224,6 +225,25 @@ def test_what_is_stretched_later_is_not_saved_as_a_picture(tmp_path, capfd):
         actor.user_matrix = np.eye(4)
         scene.render()
         assert scene.packing.screenshot(path).std() > 20
+    capfd.readouterr()  # VTK tells it on stderr as well
+
+
+def test_what_has_changed_since_the_last_picture_is_drawn_or_told(tmp_path, capfd):
+    path = tmp_path / "a.png"
+    mesh = packing()
+    with plotter() as scene:
+        scene.packing.add(mesh)
+        before = scene.packing.screenshot(path)
+        mesh["radius"][1] = 0.1
+        mesh.Modified()
+        after = scene.packing.screenshot(path)
+        assert 0 < (after > 0).sum() < 0.8 * (before > 0).sum()
+        path.unlink()
+        mesh["radius"][1] = -1.0
+        mesh.Modified()
+        with pytest.raises(RuntimeError, match=r"the spheres cannot be drawn: .*-1 at point 1"):
+            scene.packing.screenshot(path)
+        assert not path.exists()
     capfd.readouterr()  # VTK tells it on stderr as well
 
 

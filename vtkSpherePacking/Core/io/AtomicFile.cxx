@@ -32,6 +32,13 @@ AtomicFile::AtomicFile(const std::string& file)
     throw PackingFileError(vtkErrorCode::CannotOpenFileError,
       file + ": found something that is no regular file, expected one or none");
   }
+  // The rename would not ask for it.
+  if (SystemTools::PathExists(this->Target) &&
+    !SystemTools::TestFileAccess(this->Target, vtksys::TEST_FILE_WRITE))
+  {
+    throw PackingFileError(vtkErrorCode::CannotOpenFileError,
+      file + ": found a file that is write-protected, expected one that can be written to");
+  }
   // "x" fails rather than overwrite what somebody else has there.
   for (int attempt = 0; !this->Stream && attempt < 100; ++attempt)
   {

@@ -1,0 +1,75 @@
+"""Files that appear under their name only when they are complete."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import stat
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+
+def check_replaceable(path: Path) -> None:
+    """Raise an OSError unless a file can be put in the place of `path`, as far as one can see.
+
+    Parameters
+    ----------
+    path : pathlib.Path
+        Where the file is to be; links are followed.
+
+    Raises
+    ------
+    FileNotFoundError
+        If the folder does not exist.
+    PermissionError
+        If the file or its folder cannot be written to.
+    OSError
+        If there is something that is no regular file, such as a folder, a device or a pipe.
+    """
+    target = path.resolve()
+    if not target.parent.is_dir():
+        raise FileNotFoundError(f"{path}: there is no folder {target.parent}")
+    if target.exists():
+        if not stat.S_ISREG(target.stat().st_mode):
+            raise OSError(f"{path}: found something that is no regular file, expected one or none")
+        # Renaming would not ask for it.
+        if not os.access(target, os.W_OK):
+            raise PermissionError(
+                f"{path}: found a file that is write-protected, expected one that can be written to"
+            )
+    if not os.access(target.parent, os.W_OK | os.X_OK):
+        raise PermissionError(
+            f"{path}: found a folder that cannot be written to, expected one that can be"
+        )
+
+
+def replace_file(path: Path, data: bytes | memoryview) -> None:
+    """Write a file beside its place and rename it in the end; an earlier one keeps its mode.
+
+    Parameters
+    ----------
+    path : pathlib.Path
+        Where the file is to be; links are followed.
+    data : bytes
+        What is in it.
+
+    Raises
+    ------
+    OSError
+        If it cannot be written; an earlier file is as it was and nothing else is left.
+    """
+    check_replaceable(path)
+    target = path.resolve()
+    part = target.with_name(f"{target.name}.{os.getpid()}.part")
+    try:
+        with part.open("xb") as file:
+            file.write(data)
+        if target.exists():
+            shutil.copymode(target, part)
+        part.replace(target)
+    except OSError as error:
+        raise OSError(f"{path}: the file cannot be written ({error.strerror})") from error
+    finally:
+        part.unlink(missing_ok=True)
