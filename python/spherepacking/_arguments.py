@@ -12,6 +12,8 @@ import numpy as np
 import pyvista as pv
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from numpy.typing import ArrayLike
     from pyvista.plotting._typing import ColorLike
     from pyvista.plotting.themes import Theme
@@ -31,9 +33,8 @@ def number_of(name: str, value: float, low: float, high: float) -> float:
     return number
 
 
-def count_of(name: str, value: int, least: int = 1) -> int:
-    """`value` as an integer that VTK holds, from `least` on, or a TypeError or ValueError."""
-    most = 2**31 - 1
+def count_of(name: str, value: int, least: int = 1, most: int = 2**31 - 1) -> int:
+    """`value` as an integer from `least` to `most`, or a TypeError or ValueError."""
     try:
         count = operator.index(value)
     except TypeError:
@@ -43,6 +44,16 @@ def count_of(name: str, value: int, least: int = 1) -> int:
             f"{name}: found {value!r}, expected an integer from {least} to {most}"
         )
     return count
+
+
+def size_of(name: str, value: Sequence[int], scale: int = 1) -> tuple[int, int]:
+    """`value` as width and height that OpenGL draws when enlarged, or a TypeError or ValueError."""
+    try:
+        width, height = value
+    except (TypeError, ValueError):
+        raise ValueError(f"{name}: found {value!r}, expected width and height in pixels") from None
+    most = 16384 // scale
+    return count_of(name, width, most=most), count_of(name, height, most=most)
 
 
 def color_of(name: str, value: ColorLike | bool | None) -> pv.Color | bool | None:

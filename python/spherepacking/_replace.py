@@ -3,21 +3,24 @@
 from __future__ import annotations
 
 import os
+import secrets
 import shutil
 import stat
-from typing import TYPE_CHECKING
-
-if TYPE_CHECKING:
-    from pathlib import Path
+from pathlib import Path
 
 
-def check_replaceable(path: Path) -> None:
+def check_replaceable(path: Path) -> Path:
     """Raise an OSError unless a file can be put in the place of `path`, as far as one can see.
 
     Parameters
     ----------
     path : pathlib.Path
         Where the file is to be; links are followed.
+
+    Returns
+    -------
+    pathlib.Path
+        Where the links lead to.
 
     Raises
     ------
@@ -28,7 +31,9 @@ def check_replaceable(path: Path) -> None:
     OSError
         If there is something that is no regular file, such as a folder, a device or a pipe.
     """
-    target = path.resolve()
+    target = Path(os.path.realpath(path))
+    if target.is_symlink():
+        raise OSError(f"{path}: found links that lead in a circle, expected a file or none")
     if not target.parent.is_dir():
         raise FileNotFoundError(f"{path}: there is no folder {target.parent}")
     if target.exists():
@@ -43,9 +48,10 @@ def check_replaceable(path: Path) -> None:
         raise PermissionError(
             f"{path}: found a folder that cannot be written to, expected one that can be"
         )
+    return target
 
 
-def replace_file(path: Path, data: bytes | memoryview) -> None:
+def replace_file(path: Path, data: bytes) -> None:
     """Write a file beside its place and rename it in the end; an earlier one keeps its mode.
 
     Parameters
@@ -60,16 +66,19 @@ def replace_file(path: Path, data: bytes | memoryview) -> None:
     OSError
         If it cannot be written; an earlier file is as it was and nothing else is left.
     """
-    check_replaceable(path)
-    target = path.resolve()
-    part = target.with_name(f"{target.name}.{os.getpid()}.part")
+    target = check_replaceable(path)
+    # A name of its own, since one that is longer than the target's may be too long.
+    part = target.with_name(f".{secrets.token_hex(8)}.part")
     try:
         with part.open("xb") as file:
-            file.write(data)
-        if target.exists():
-            shutil.copymode(target, part)
-        part.replace(target)
+            try:
+                file.write(data)
+                file.close()
+                if target.exists():
+                    shutil.copymode(target, part)
+                part.replace(target)
+            except BaseException:
+                part.unlink()
+                raise
     except OSError as error:
         raise OSError(f"{path}: the file cannot be written ({error.strerror})") from error
-    finally:
-        part.unlink(missing_ok=True)

@@ -36,7 +36,19 @@ app = App(
     help="See sphere packings: exact ray-cast spheres.",
     version=_version,
     version_format="plaintext",
+    suppress_keyboard_interrupt=False,
 )
+
+
+def _load() -> None:
+    """Import what takes long. Ctrl-C waits, since libraries may crash when it comes then."""
+    signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        import pyvista  # noqa: F401
+
+        from . import image, readers, writers  # noqa: F401
+    finally:
+        signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGINT})
 
 
 def _read(path: Path) -> object:
@@ -113,12 +125,15 @@ def render(
         Smooth edges, by drawing a larger picture and averaging it.
     """
     from ._offscreen import choose_window
+
+    choose_window()
+    _load()
+
     from ._view import aim, check_extent, fit
     from .image import check_output
 
     check_output(output)
     _check_view(size, zoom, view_angle, anti_aliasing)
-    choose_window()
 
     import pyvista as pv
 
@@ -231,6 +246,8 @@ def info(packing: Path, /) -> None:
     packing
         File with the packing.
     """
+    _load()
+
     from ._info import describe
 
     print(describe(_read(packing)))
@@ -247,8 +264,11 @@ def convert(source: Path, target: Path, /) -> None:
     target
         File to write; its extension decides about the format.
     """
+    _load()
+
     from .writers import write
 
+    source, target = source.expanduser(), target.expanduser()
     if target.exists() and source.exists() and target.samefile(source):
         raise ValueError(f"{target}: found the source as the target, expected another file")
     write(_read(source), target)

@@ -44,10 +44,12 @@ class ImageDifference(NamedTuple):
 
 def _create(path: Path) -> oiio.ImageOutput:
     check_replaceable(path)
-    output = oiio.ImageOutput.create(str(path))
+    output = oiio.ImageOutput.create(f"picture{path.suffix}")
     if output is None:
         reason = oiio.geterror().strip()
         raise ValueError(f"{path}: no picture format of that extension can be written: {reason}")
+    if output.format_name() in ("null", "term"):
+        raise ValueError(f"{path}: no picture format of that extension can be written to a file")
     return output
 
 
@@ -61,7 +63,7 @@ def check_output(path: str | os.PathLike[str]) -> None:
     ValueError
         If no format has that extension.
     """
-    _create(Path(path))
+    _create(Path(path).expanduser())
 
 
 def write_image(path: str | os.PathLike[str], pixels: np.ndarray) -> None:
@@ -84,7 +86,7 @@ def write_image(path: str | os.PathLike[str], pixels: np.ndarray) -> None:
     ValueError
         If no format has that extension, or the array has no pixels or no shape of a picture.
     """
-    path = Path(path)
+    path = Path(path).expanduser()
     pixels = np.ascontiguousarray(pixels)
     if pixels.dtype not in _FORMATS:
         raise TypeError(f"pixels: found {pixels.dtype}, expected uint8, uint16 or floats")
@@ -144,7 +146,7 @@ def read_image(path: str | os.PathLike[str]) -> np.ndarray:
     OSError
         If it cannot be read.
     """
-    path = Path(path)
+    path = Path(path).expanduser()
     if not path.exists():
         raise FileNotFoundError(f"{path}: no such file")
     config = oiio.ImageSpec()

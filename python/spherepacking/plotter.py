@@ -93,7 +93,8 @@ class PackingComponent:
 
         Words shared with :meth:`pyvista.Plotter.add_mesh` mean the same and have the same
         defaults. The packing is not changed. Arrays given by name stay connected: change them, and
-        the next rendering shows it.
+        the next rendering shows it. If any array is given by its values, the spheres are a copy
+        that shares the arrays: changes inside them show, arrays put in their place do not.
 
         Parameters
         ----------
@@ -275,13 +276,16 @@ class PackingComponent:
             If the file cannot be written.
         RuntimeError
             If the spheres cannot be drawn in this view; nothing is written.
-        ValueError
-            If the format is unknown.
+        TypeError, ValueError
+            If the format is unknown, or the picture's size is none, or above 16384 along a side.
         """
         from .image import check_output, write_image
         from .mapper import SpherePackingMapper
 
         check_output(filename)
+        factor = 1 if scale is None else arguments.count_of("scale", scale, most=16384)
+        size = self.plotter.window_size if window_size is None else window_size
+        arguments.size_of("window_size", size, factor)
         # PyVista would take what is in the window, before the last changes.
         self.plotter.render()
         pixels = self.plotter.screenshot(
@@ -293,7 +297,7 @@ class PackingComponent:
         )
         for renderer in self.plotter.renderers:
             for actor in renderer.actors.values():
-                mapper = getattr(actor, "mapper", None)
+                mapper = getattr(actor, "mapper", None) if actor.GetVisibility() else None
                 if isinstance(mapper, SpherePackingMapper) and mapper.GetErrorMessage():
                     raise RuntimeError(f"the spheres cannot be drawn: {mapper.GetErrorMessage()}")
         write_image(filename, np.asarray(pixels))

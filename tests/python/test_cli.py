@@ -418,6 +418,34 @@ sys.exit(main())
     assert (result.returncode, result.stderr) == (130, "spherepacking: stopped\n")
 
 
+def test_stopped_later(file, monkeypatch, capsys):
+    def describe(_packing):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("spherepacking._info.describe", describe)
+    assert main(["info", str(file)]) == 130
+    assert capsys.readouterr().err == "spherepacking: stopped\n"
+
+
+@pytest.mark.parametrize("command", ["info", "render"])
+def test_stopped_at_any_time(file, command):
+    """Libraries that are being loaded may crash when Ctrl-C comes."""
+    words = ["-o", file.with_suffix(".png")] if command == "render" else []
+    for wait in np.linspace(0.05, 1.0, 8):
+        process = subprocess.Popen(
+            [sys.executable, "-m", "spherepacking", command, file, *words],
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.PIPE,
+        )
+        try:
+            process.wait(wait)
+        except subprocess.TimeoutExpired:
+            process.send_signal(signal.SIGINT)
+        _, said = process.communicate(timeout=60)
+        # The first and the last milliseconds are the interpreter's: a traceback, or the signal.
+        assert process.returncode in (0, 130, 1, -signal.SIGINT), said
+
+
 def test_status_of_the_process(tmp_path):
     result = run("info", tmp_path / "none.spheres")
     assert result.returncode == 2

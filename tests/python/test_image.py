@@ -3,6 +3,7 @@
 import os
 import subprocess
 import sys
+from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import pytest
@@ -89,11 +90,16 @@ except OSError as error:
 
 
 @pytest.mark.parametrize("extension", FORMATS)
-def test_a_full_disk_loses_nothing(tmp_path, extension):
+def test_a_full_disk_loses_nothing(tmp_path, tmp_path_factory, extension):
     path = tmp_path / f"a.{extension}"
     path.write_text("earlier work")
     done = subprocess.run(
-        [sys.executable, "-c", FULL_DISK, path], capture_output=True, text=True, check=False
+        [sys.executable, "-c", FULL_DISK, path],
+        # The library that ends the process leaves a link in the folder for such files.
+        env=os.environ | {"TMPDIR": str(tmp_path_factory.mktemp("temporary"))},
+        capture_output=True,
+        text=True,
+        check=False,
     )
     # The library for JPEG ends the process, and says why.
     said = done.stderr if extension == "jpg" else done.stdout
@@ -133,6 +139,51 @@ def test_a_picture_is_replaced_behind_a_link_and_keeps_its_mode(tmp_path, rng, e
     assert target.stat().st_mode & 0o777 == 0o640
     assert spherepacking.read_image(link).shape[:2] == (5, 9)
     assert sorted(os.listdir(tmp_path)) == sorted([link.name, "target"])
+
+
+def test_many_at_once(tmp_path, rng):
+    """The last one wins, and nobody ever sees half a picture."""
+    path = tmp_path / "a.png"
+    pictures = [rng.integers(0, 256, (60, 50, 3), dtype=np.uint8) for _ in range(4)]
+
+    def write_often(picture):
+        for _ in range(25):
+            spherepacking.write_image(path, picture)
+            found = spherepacking.read_image(path)
+            assert any(np.array_equal(found, each) for each in pictures)
+
+    with ThreadPoolExecutor(4) as pool:
+        list(pool.map(write_often, pictures))
+    assert os.listdir(tmp_path) == ["a.png"]
+
+
+def test_the_longest_name(tmp_path):
+    path = tmp_path / ("a" * 251 + ".png")
+    spherepacking.write_image(path, np.zeros((2, 2)))
+    assert os.listdir(tmp_path) == [path.name]
+
+
+def test_a_name_that_is_no_text(tmp_path):
+    path = tmp_path / os.fsdecode(b"a\xff.png")
+    spherepacking.write_image(path, np.zeros((2, 2)))
+    assert path.is_file()
+
+
+def test_links(tmp_path):
+    (tmp_path / "to_nothing.png").symlink_to("b.png")
+    spherepacking.write_image(tmp_path / "to_nothing.png", np.zeros((2, 2)))
+    assert (tmp_path / "to_nothing.png").is_symlink()
+    assert spherepacking.read_image(tmp_path / "b.png").shape == (2, 2, 1)
+    (tmp_path / "circle.png").symlink_to("circle.png")
+    with pytest.raises(OSError, match=r"circle\.png: found links that lead in a circle"):
+        spherepacking.write_image(tmp_path / "circle.png", np.zeros((2, 2)))
+
+
+@pytest.mark.parametrize("extension", ["null", "term"])
+def test_what_is_no_file(tmp_path, extension):
+    with pytest.raises(ValueError, match="no picture format of that extension can be written"):
+        spherepacking.write_image(tmp_path / f"a.{extension}", np.zeros((2, 2)))
+    assert os.listdir(tmp_path) == []
 
 
 def test_devices_and_pipes_are_not_replaced(tmp_path):

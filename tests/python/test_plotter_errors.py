@@ -247,6 +247,35 @@ def test_what_has_changed_since_the_last_picture_is_drawn_or_told(tmp_path, capf
     capfd.readouterr()  # VTK tells it on stderr as well
 
 
+@pytest.mark.parametrize(
+    "words",
+    [
+        {"window_size": (0, 10)},
+        {"window_size": (-1, 5)},
+        {"window_size": (10,)},
+        {"window_size": (20000, 10)},
+        {"scale": 0},
+        {"scale": 200},
+    ],
+)
+def test_sizes_that_no_picture_has(tmp_path, words):
+    with plotter() as scene:
+        scene.packing.add(packing())
+        with pytest.raises(ValueError, match=r"(window_size|scale): found .*expected"):
+            scene.packing.screenshot(tmp_path / "a.png", **words)
+    assert not (tmp_path / "a.png").exists()
+
+
+def test_a_hidden_packing_is_no_error(tmp_path):
+    mesh = packing()
+    with plotter() as scene:
+        actor = scene.packing.add(mesh)
+        mesh["radius"][1] = -1.0
+        mesh.Modified()
+        actor.visibility = False
+        assert scene.packing.screenshot(tmp_path / "a.png").max() == 0
+
+
 @pytest.mark.parametrize("thing", [None, 3, np.zeros((4, 3)), pv.ImageData(), "file.spheres"])
 def test_what_is_no_packing(thing):
     with plotter() as scene, pytest.raises(TypeError, match=r"packing: found a .*expected a PolyD"):

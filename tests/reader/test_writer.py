@@ -187,6 +187,22 @@ def test_a_link_and_permissions_stay(packing, write, tmp_path):
     assert target.stat().st_mode & 0o777 == 0o640
 
 
+def test_links_to_nothing_and_in_a_circle(packing, write, tmp_path):
+    (tmp_path / "to_nothing.spheres").symlink_to("new.spheres")
+    assert write(packing, tmp_path / "to_nothing.spheres") == (True, "")
+    assert (tmp_path / "to_nothing.spheres").is_symlink()
+    assert (tmp_path / "new.spheres").is_file()
+    (tmp_path / "circle.spheres").symlink_to("circle.spheres")
+    good, message = write(packing, tmp_path / "circle.spheres")
+    assert not good and "circle.spheres: found links that lead in a circle" in message
+
+
+def test_the_longest_name(packing, write, tmp_path):
+    path = tmp_path / ("a" * 247 + ".spheres")
+    assert write(packing, path) == (True, "")
+    assert os.listdir(tmp_path) == [path.name]
+
+
 def test_an_nfo_that_would_scale_the_diameters(packing, write, tmp_path):
     (tmp_path / "p.nfo").write_text("Theoretical Porosity: 0.3\nFinal Porosity: 0.4\n")
     good, message = write(packing, tmp_path / "p.xyzd")

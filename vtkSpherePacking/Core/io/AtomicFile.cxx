@@ -15,10 +15,33 @@ namespace spherepacking
 {
 using vtksys::SystemTools;
 
+namespace
+{
+namespace fs = std::filesystem;
+
+// Where a file is, links followed, also when there is none yet.
+fs::path Follow(const std::string& file)
+{
+  constexpr int most = 40; // links, as many as Linux follows
+  fs::path path = fs::u8path(file);
+  std::error_code error;
+  for (int link = 0; fs::is_symlink(path, error); ++link)
+  {
+    if (link == most)
+    {
+      throw PackingFileError(vtkErrorCode::CannotOpenFileError,
+        file + ": found links that lead in a circle, expected a file or none");
+    }
+    path = path.parent_path() / fs::read_symlink(path, error);
+  }
+  return path;
+}
+}
+
 //------------------------------------------------------------------------------
 AtomicFile::AtomicFile(const std::string& file)
   : File(file)
-  , Target(SystemTools::PathExists(file) ? SystemTools::GetRealPath(file) : file)
+  , Target(Follow(file).u8string())
 {
   if (SystemTools::FileIsDirectory(this->Target))
   {
@@ -26,8 +49,9 @@ AtomicFile::AtomicFile(const std::string& file)
       vtkErrorCode::CannotOpenFileError, file + ": found a directory, expected a file to write");
   }
   // A device or a pipe would be replaced by the rename.
-  if (SystemTools::PathExists(this->Target) &&
-    !std::filesystem::is_regular_file(std::filesystem::u8path(this->Target)))
+  std::error_code error;
+  const fs::path target = fs::u8path(this->Target);
+  if (fs::exists(target, error) && !fs::is_regular_file(target, error))
   {
     throw PackingFileError(vtkErrorCode::CannotOpenFileError,
       file + ": found something that is no regular file, expected one or none");
@@ -39,10 +63,12 @@ AtomicFile::AtomicFile(const std::string& file)
     throw PackingFileError(vtkErrorCode::CannotOpenFileError,
       file + ": found a file that is write-protected, expected one that can be written to");
   }
-  // "x" fails rather than overwrite what somebody else has there.
+  // "x" fails rather than overwrite what somebody else has there. A name of its own, since one
+  // that is longer than the target's may be too long.
   for (int attempt = 0; !this->Stream && attempt < 100; ++attempt)
   {
-    this->Temporary = this->Target + ".part" + std::to_string(attempt);
+    this->Temporary =
+      (target.parent_path() / (".spherepacking" + std::to_string(attempt) + ".part")).u8string();
     errno = 0;
     this->Stream = SystemTools::Fopen(this->Temporary, "wbx");
     if (!this->Stream && errno != EEXIST)
