@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// A bounding volume hierarchy with eight children a node and up to eight spheres a leaf.
+///
+/// Boxes and spheres are single precision in coordinates that take the scene's box to [-1, 1],
+/// where rounding is the same whatever the scene's unit and place. They contain what they stand
+/// for, rounding included: they say what a ray cannot hit, and the packing's own numbers say what
+/// it does.
+#ifndef Bvh_h
+#define Bvh_h
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace spherepacking
+{
+struct alignas(32) BvhNode
+{
+  static constexpr int Width = 8;
+
+  // Axis by axis. The box of a child that is not there is inside out.
+  float Low[3][Width];
+  float High[3][Width];
+  std::uint32_t Children[Width];
+};
+
+struct alignas(32) BvhLeaf
+{
+  static constexpr int Width = 8;
+
+  float Center[3][Width];
+  float Radius[Width]; ///< far below 0 where there is no sphere
+  std::int32_t Ids[Width];
+};
+
+/// What a node says of a child: the index of a node or of a leaf. The root is no child, so 0 says
+/// that there is none.
+struct BvhChild
+{
+  static constexpr std::uint32_t LeafBit = 1u << 31;
+
+  static bool IsLeaf(std::uint32_t child) { return (child & LeafBit) != 0; }
+  static std::uint32_t Index(std::uint32_t child) { return child & ~LeafBit; }
+};
+
+struct Bvh
+{
+  std::vector<BvhNode> Nodes; ///< the first one is the root; none without spheres
+  std::vector<BvhLeaf> Leaves;
+  double Center[3]; ///< of the scene's box
+  double Scale;     ///< a point p has the coordinates (p - Center) Scale
+
+  std::size_t Bytes() const
+  {
+    return this->Nodes.size() * sizeof(BvhNode) + this->Leaves.size() * sizeof(BvhLeaf);
+  }
+};
+}
+
+#endif

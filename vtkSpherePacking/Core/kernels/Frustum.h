@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// What a block of rays can see, against the eight boxes of a node of the hierarchy at once.
+#ifndef Frustum_h
+#define Frustum_h
+
+#include "kernels/Bvh.h"
+#include "kernels/RayBlock.h"
+
+namespace spherepacking
+{
+/// Half spaces n.p + d >= 0 in the hierarchy's coordinates: the four sides and what is ahead.
+class Frustum
+{
+public:
+  Frustum(const CameraRays& rays, const Screen& screen, const RayBlock& block, const Bvh& bvh)
+  {
+    // The sides lie in the middle between rays of this block and of the next.
+    const double x0 = block.X0 - 0.5 * block.Step;
+    const double y0 = block.Y0 - 0.5 * block.Step;
+    const double side = RayBlock::Side * block.Step;
+    const Ray middle = rays.At(x0 + 0.5 * side, y0 + 0.5 * side);
+    const Ray low = rays.At(x0, y0);
+    const Ray high = rays.At(x0 + side, y0 + side);
+    const Vector& alongX = rays.Parallel ? rays.OX : rays.DX;
+    const Vector& alongY = rays.Parallel ? rays.OY : rays.DY;
+    this->AddSide(0, low, alongY, middle, bvh);
+    this->AddSide(1, high, alongY, middle, bvh);
+    this->AddSide(2, low, alongX, middle, bvh);
+    this->AddSide(3, high, alongX, middle, bvh);
+    this->Add(Ahead, screen.Depth(), middle.O, bvh);
+    this->PerDepth = bvh.Scale / this->Length;
+  }
+
+  /// A depth as the least depths of Test() are measured, rounded up.
+  float ScaledDepth(double depth) const
+  {
+    return static_cast<float>(std::min(depth * this->PerDepth, 3e38)) * (1.0f + 1e-6f);
+  }
+
+  /// Which of the eight boxes may be seen before the depth `last`, a bit each, and the least depths
+  /// of them all.
+  unsigned Test(const BvhNode& node, float (&depth)[BvhNode::Width], float last) const
+  {
+    Int8 outside = {};
+    for (int plane = 0; plane < Planes; ++plane)
+    {
+      outside |= this->Corners(plane, node, true) + this->D[plane] < 0.0f;
+    }
+    const Float8 nearest = this->Corners(Ahead, node, false) + this->NearD;
+    Store(nearest, depth);
+    return ~Bits(outside | (nearest > last)) & 0xffu;
+  }
+
+  /// The same for the spheres of a leaf.
+  unsigned Test(const BvhLeaf& leaf, float (&depth)[BvhLeaf::Width], float last) const
+  {
+    const Float8 radius = Load<Float8>(leaf.Radius);
+    Int8 outside = {};
+    for (int plane = 0; plane < Planes; ++plane)
+    {
+      outside |= this->Centers(plane, leaf) + (this->D[plane] + radius) < 0.0f;
+    }
+    const Float8 nearest = this->Centers(Ahead, leaf) + (this->NearD - radius);
+    Store(nearest, depth);
+    return ~Bits(outside | (nearest > last)) & 0xffu;
+  }
+
+private:
+  static constexpr int Ahead = 4;
+  static constexpr int Planes = 5;
+
+  // The products of the plane's normal with the corners that lie farthest along it, or nearest.
+  Float8 Corners(int plane, const BvhNode& node, bool farthest) const
+  {
+    Float8 sum = {};
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const float n = this->N[plane][axis];
+      sum += n * Load<Float8>((n > 0.0f) == farthest ? node.High[axis] : node.Low[axis]);
+    }
+    return sum;
+  }
+
+  // The same of the spheres' centres.
+  Float8 Centers(int plane, const BvhLeaf& leaf) const
+  {
+    Float8 sum = {};
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      sum += this->N[plane][axis] * Load<Float8>(leaf.Center[axis]);
+    }
+    return sum;
+  }
+
+  // The plane through a ray and a direction; the middle ray is inside.
+  void AddSide(int plane, const Ray& ray, const Vector& along, const Ray& middle, const Bvh& bvh)
+  {
+    Vector normal;
+    Cross(ray.D, along, normal);
+    double inside = 0.0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      inside += normal[axis] * (middle.O[axis] - ray.O[axis] + middle.D[axis] - ray.D[axis]);
+    }
+    if (inside < 0.0)
+    {
+      normal[0] = -normal[0];
+      normal[1] = -normal[1];
+      normal[2] = -normal[2];
+    }
+    this->Add(plane, normal, ray.O, bvh);
+  }
+
+  // Coordinates are between -1 and 1 and the normal has the length 1, so that a few roundings of 1
+  // and of the offset are what a sum may be wrong by.
+  void Add(int plane, const Vector& normal, const Vector& origin, const Bvh& bvh)
+  {
+    this->Length = std::sqrt(Dot(normal, normal));
+    double offset = 0.0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->N[plane][axis] = static_cast<float>(normal[axis] / this->Length);
+      offset += normal[axis] / this->Length * (bvh.Center[axis] - origin[axis]) * bvh.Scale;
+    }
+    const double margin = 1e-6 * (1.0 + std::abs(offset));
+    this->D[plane] = static_cast<float>(offset + margin);
+    this->NearD = static_cast<float>(offset - margin);
+  }
+
+  float N[Planes][3];
+  float D[Planes];
+  float NearD;
+  double Length;
+  double PerDepth;
+};
+}
+
+#endif

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// The rays of 8 x 8 neighbouring points of a picture and what each has hit so far.
+#ifndef RayBlock_h
+#define RayBlock_h
+
+#include "kernels/CameraRays.h"
+
+#include <cmath>
+
+namespace spherepacking
+{
+/// Which rays of a block may hit something: columns and rows, first to last.
+struct BlockPart
+{
+  int X0 = 0;
+  int X1 = 7;
+  int Y0 = 0;
+  int Y1 = 7;
+
+  bool Empty() const { return this->X0 > this->X1 || this->Y0 > this->Y1; }
+};
+
+struct RayBlock
+{
+  static constexpr int Side = 8;
+  static constexpr int Lanes = 4; ///< rays that are tested at once
+  static constexpr int Count = Side * Side;
+
+  // One array a coordinate, row by row from the bottom.
+  alignas(64) double OX[Count];
+  alignas(64) double OY[Count];
+  alignas(64) double OZ[Count];
+  alignas(64) double DX[Count];
+  alignas(64) double DY[Count];
+  alignas(64) double DZ[Count];
+  alignas(64) double InverseSquare[Count];
+  alignas(64) double T[Count];
+  alignas(64) std::int64_t Id[Count];
+  double X0; ///< of the first ray in the picture
+  double Y0;
+  double Step; ///< from one ray to the next, in pixels
+
+  /// Rays through (x0 + i step, y0 + j step), i and j from 0 to 7.
+  void Start(const CameraRays& rays, double x0, double y0, double step)
+  {
+    this->X0 = x0;
+    this->Y0 = y0;
+    this->Step = step;
+    const Hit none;
+    for (int i = 0; i < Count; ++i)
+    {
+      const Ray ray = rays.At(x0 + (i % Side) * step, y0 + (i / Side) * step);
+      this->OX[i] = ray.O[0];
+      this->OY[i] = ray.O[1];
+      this->OZ[i] = ray.O[2];
+      this->DX[i] = ray.D[0];
+      this->DY[i] = ray.D[1];
+      this->DZ[i] = ray.D[2];
+      this->InverseSquare[i] = spherepacking::InverseSquare(ray);
+      this->T[i] = none.T;
+      this->Id[i] = none.Id;
+    }
+  }
+
+  Ray RayAt(int i) const
+  {
+    return { { this->OX[i], this->OY[i], this->OZ[i] }, { this->DX[i], this->DY[i], this->DZ[i] } };
+  }
+
+  /// The rays inside `bounds`.
+  BlockPart PartOf(const ScreenBounds& bounds) const
+  {
+    const double scale = 1.0 / this->Step;
+    BlockPart part;
+    part.X0 = static_cast<int>(std::ceil(std::max((bounds.X0 - this->X0) * scale, 0.0)));
+    part.X1 = static_cast<int>(std::floor(std::min((bounds.X1 - this->X0) * scale, Side - 1.0)));
+    part.Y0 = static_cast<int>(std::ceil(std::max((bounds.Y0 - this->Y0) * scale, 0.0)));
+    part.Y1 = static_cast<int>(std::floor(std::min((bounds.Y1 - this->Y0) * scale, Side - 1.0)));
+    return part;
+  }
+
+  /// Tests a sphere against the rays of `part`, and some beside them.
+  void Offer(const Sphere& sphere, std::int64_t id, const BlockPart& part)
+  {
+    for (int row = part.Y0; row <= part.Y1; ++row)
+    {
+      for (int quad = part.X0 / Lanes; quad <= part.X1 / Lanes; ++quad)
+      {
+        this->OfferLanes(sphere, id, row * Side + quad * Lanes);
+      }
+    }
+  }
+
+  /// The farthest of the first hits.
+  double LastDepth() const
+  {
+    Double4 last = Load<Double4>(this->T);
+    for (int i = Lanes; i < Count; i += Lanes)
+    {
+      const Double4 next = Load<Double4>(this->T + i);
+      last = last > next ? last : next;
+    }
+    return std::max(std::max(last[0], last[1]), std::max(last[2], last[3]));
+  }
+
+private:
+  void OfferLanes(const Sphere& sphere, std::int64_t id, int first)
+  {
+    const auto load = [first](const double* values) { return Load<Double4>(values + first); };
+    const Double4 t = HitSphere<Double4>(sphere.X - load(this->OX), sphere.Y - load(this->OY),
+      sphere.Z - load(this->OZ), sphere.R, load(this->DX), load(this->DY), load(this->DZ),
+      load(this->InverseSquare));
+    const Double4 best = load(this->T);
+    const Long4 bestId = Load<Long4>(this->Id + first);
+    const Long4 closer = (t < best) | ((t == best) & (id < bestId));
+    Store(closer ? t : best, this->T + first);
+    Store(closer ? Long4{} + id : bestId, this->Id + first);
+  }
+};
+}
+
+#endif

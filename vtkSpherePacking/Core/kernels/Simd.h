@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Eight floats, or four doubles, that are worked on at once.
+///
+/// The vectors of GCC and Clang, which split what the processor does not have. Everything that is
+/// built on them lies in the namespace SPHEREPACKING_ISA, since it is compiled once for any
+/// processor and once for those with AVX2, and the linker must not take one for the other.
+#ifndef Simd_h
+#define Simd_h
+
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
+#ifndef SPHEREPACKING_ISA
+#define SPHEREPACKING_ISA AnyProcessor
+#endif
+
+namespace spherepacking
+{
+inline namespace SPHEREPACKING_ISA
+{
+using Float8 = float __attribute__((vector_size(32)));
+using Int8 = std::int32_t __attribute__((vector_size(32)));
+using Double4 = double __attribute__((vector_size(32)));
+using Long4 = std::int64_t __attribute__((vector_size(32)));
+
+template <typename VectorT, typename Value>
+inline VectorT Load(const Value* from)
+{
+  VectorT vector;
+  std::memcpy(&vector, from, sizeof(vector));
+  return vector;
+}
+
+template <typename VectorT, typename Value>
+inline void Store(const VectorT& vector, Value* to)
+{
+  std::memcpy(to, &vector, sizeof(vector));
+}
+
+/// Bit i is set where element i of a comparison's result is true.
+inline unsigned Bits(const Int8& mask)
+{
+#if defined(__AVX__)
+  return static_cast<unsigned>(_mm256_movemask_ps(reinterpret_cast<__m256>(mask)));
+#else
+  unsigned bits = 0;
+  for (int i = 0; i < 8; ++i)
+  {
+    bits |= static_cast<unsigned>(mask[i] & 1) << i;
+  }
+  return bits;
+#endif
+}
+
+inline Double4 Sqrt(const Double4& x)
+{
+#if defined(__AVX__)
+  return _mm256_sqrt_pd(x);
+#else
+  return Double4{ std::sqrt(x[0]), std::sqrt(x[1]), std::sqrt(x[2]), std::sqrt(x[3]) };
+#endif
+}
+inline double Sqrt(double x)
+{
+  return std::sqrt(x);
+}
+}
+}
+
+#endif

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// First hits through the hierarchy: of a block of neighbouring rays, and of a single one.
+#ifndef TraceBvh_h
+#define TraceBvh_h
+
+#include "kernels/Frustum.h"
+#include "kernels/SphereArrays.h"
+
+namespace spherepacking
+{
+/// Children that wait for their turn, the nearest on top.
+struct BvhStack
+{
+  // Eight children replace their node, on no more than 51 levels.
+  static constexpr int Maximum = 512;
+
+  struct Entry
+  {
+    std::uint32_t Child;
+    float Depth;
+  };
+  Entry Entries[Maximum];
+  int Number = 0;
+
+  /// Pushes the children whose bit is set, the nearest last.
+  void Push(const BvhNode& node, unsigned bits, const float (&depth)[BvhNode::Width])
+  {
+    const int bottom = this->Number;
+    for (; bits != 0; bits &= bits - 1)
+    {
+      const int i = __builtin_ctz(bits);
+      int at = this->Number++;
+      for (; at > bottom && this->Entries[at - 1].Depth < depth[i]; --at)
+      {
+        this->Entries[at] = this->Entries[at - 1];
+      }
+      this->Entries[at] = { node.Children[i], depth[i] };
+    }
+  }
+};
+
+inline namespace SPHEREPACKING_ISA
+{
+/// A block on its way through the hierarchy.
+class BlockTracer
+{
+public:
+  BlockTracer(const Bvh& bvh, const SphereArrays& spheres, const CameraRays& rays,
+    const Screen& screen, RayBlock& block)
+    : Hierarchy(bvh)
+    , Spheres(spheres)
+    , Projection(screen)
+    , Block(block)
+    , View(rays, screen, block, bvh)
+  {
+  }
+
+  void Run()
+  {
+    if (this->Hierarchy.Nodes.empty())
+    {
+      return;
+    }
+    this->SetLast();
+    BvhStack stack;
+    stack.Entries[stack.Number++] = { 0, -3e38f };
+    while (stack.Number > 0)
+    {
+      const BvhStack::Entry entry = stack.Entries[--stack.Number];
+      if (entry.Depth > this->ScaledLast)
+      {
+        continue;
+      }
+      if (BvhChild::IsLeaf(entry.Child))
+      {
+        this->Offer(this->Hierarchy.Leaves[BvhChild::Index(entry.Child)]);
+        continue;
+      }
+      const BvhNode& node = this->Hierarchy.Nodes[entry.Child];
+      float depth[BvhNode::Width];
+      stack.Push(node, this->View.Test(node, depth, this->ScaledLast), depth);
+    }
+  }
+
+private:
+  void SetLast()
+  {
+    this->Last = this->Block.LastDepth();
+    this->ScaledLast = this->View.ScaledDepth(this->Last);
+  }
+
+  void Offer(const BvhLeaf& leaf)
+  {
+    float depth[BvhLeaf::Width];
+    unsigned seen = this->View.Test(leaf, depth, this->ScaledLast);
+    for (unsigned bits = seen; bits != 0; bits &= bits - 1)
+    {
+      this->Spheres.Prefetch(leaf.Ids[__builtin_ctz(bits)]);
+    }
+    bool offered = false;
+    for (; seen != 0; seen &= seen - 1)
+    {
+      const int i = __builtin_ctz(seen);
+      const Sphere sphere = this->Spheres[leaf.Ids[i]];
+      const BlockPart part = this->Block.PartOf(this->Projection.Of(sphere));
+      if (!part.Empty())
+      {
+        this->Block.Offer(sphere, leaf.Ids[i], part);
+        offered = true;
+      }
+    }
+    if (offered)
+    {
+      this->SetLast();
+    }
+  }
+
+  const Bvh& Hierarchy;
+  const SphereArrays& Spheres;
+  const Screen& Projection;
+  RayBlock& Block;
+  const Frustum View;
+  double Last;
+  float ScaledLast;
+};
+}
+}
+
+#endif
