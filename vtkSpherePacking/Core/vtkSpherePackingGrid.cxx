@@ -3,6 +3,7 @@
 
 #include "vtkSpherePackingBoxes.h"
 #include "vtkSpherePackingInput.h"
+#include "vtkSpherePackingMemory.h"
 #include "vtkSpherePackingSpheres.h"
 
 #include "kernels/Grid.h"
@@ -17,8 +18,6 @@
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 
-#include <vtksys/SystemInformation.hxx>
-
 #include <atomic>
 #include <chrono>
 #include <cmath>
@@ -29,12 +28,6 @@ vtkStandardNewMacro(vtkSpherePackingGrid);
 namespace
 {
 using Counts = std::unique_ptr<std::atomic<int>[]>;
-
-double HalfOfMemory()
-{
-  vtksys::SystemInformation system;
-  return 0.5 * 1024.0 * static_cast<double>(system.GetHostMemoryTotal());
-}
 
 Counts CountSpheres(
   const spherepacking::Grid& grid, const std::vector<spherepacking::Sphere>& spheres)
@@ -83,7 +76,7 @@ int vtkSpherePackingGrid::RequestData(
     return this->Fail("cuts: found " + std::to_string(this->Cuts) + ", expected 0 or more");
   }
   const double cells = std::pow(this->Cuts + 1.0, 3.0);
-  if (cells * sizeof(int) > HalfOfMemory())
+  if (cells * sizeof(int) > vtkSpherePackingHalfOfMemory())
   {
     return this->Fail("cuts: found " + std::to_string(this->Cuts) +
       ", which makes more cells than fit in half of the memory, expected fewer");

@@ -8,6 +8,8 @@
 #include <cstdint>
 #endif
 
+#include <cstdlib>
+
 namespace spherepacking
 {
 #ifdef __linux__
@@ -18,14 +20,37 @@ void AdviseHugePages(void* memory, std::size_t length)
   const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
   const auto begin = (reinterpret_cast<std::uintptr_t>(memory) + page - 1) / page * page;
   const auto end = (reinterpret_cast<std::uintptr_t>(memory) + length) / page * page;
-  constexpr std::uintptr_t worthwhile = 4 << 20;
+  constexpr std::uintptr_t worthwhile = 2 << 20;
   if (end > begin && end - begin >= worthwhile)
   {
     madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
   }
 }
+
+//------------------------------------------------------------------------------
+void* AllocateHugePages(std::size_t length)
+{
+  constexpr std::size_t page = 2 << 20;
+  if (length < page)
+  {
+    return std::malloc(length);
+  }
+  const std::size_t whole = (length + page - 1) / page * page;
+  void* memory = std::aligned_alloc(page, whole);
+  if (memory)
+  {
+    AdviseHugePages(memory, whole);
+  }
+  return memory;
+}
 #else
 //------------------------------------------------------------------------------
 void AdviseHugePages(void*, std::size_t) {}
+
+//------------------------------------------------------------------------------
+void* AllocateHugePages(std::size_t length)
+{
+  return std::malloc(length);
+}
 #endif
 }

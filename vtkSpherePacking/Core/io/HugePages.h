@@ -12,6 +12,10 @@ namespace spherepacking
  * which otherwise takes as long as parsing does. Only a hint: nothing depends on it.
  */
 void AdviseHugePages(void* memory, std::size_t length);
+
+/// Memory for std::free(), from the begin to the end on large pages where there are any; null when
+/// there is not enough.
+void* AllocateHugePages(std::size_t length);
 }
 
 #endif

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "kernels/BuildBvh.h"
 
+#include "io/HugePages.h"
+
 #include "kernels/BuildSpheres.h"
 
 namespace spherepacking
@@ -171,10 +173,12 @@ Bvh BuildBvh(const SphereArrays& spheres, const ParallelFor& parallelFor)
     nodes += part.Nodes.size();
     leaves += part.Leaves.size();
   }
-  bvh.Nodes = std::move(top.Nodes);
-  bvh.Leaves = std::move(top.Leaves);
   bvh.Nodes.reserve(nodes);
   bvh.Leaves.reserve(leaves);
+  AdviseHugePages(bvh.Nodes.data(), nodes * sizeof(BvhNode));
+  AdviseHugePages(bvh.Leaves.data(), leaves * sizeof(BvhLeaf));
+  bvh.Nodes = top.Nodes;
+  bvh.Leaves = top.Leaves;
   for (std::size_t i = 0; i < parts.size(); ++i)
   {
     Append(bvh, top.Rests[i], parts[i]);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "kernels/BuildSpheres.h"
 
+#include "io/HugePages.h"
+
 #include <cmath>
 
 namespace spherepacking
@@ -26,6 +28,7 @@ BuildSpheres::BuildSpheres(
   this->Scene(spheres);
   const std::int64_t count = spheres.Count;
   this->Ids.reserve(spheres.Count);
+  AdviseHugePages(this->Ids.data(), spheres.Count * sizeof(std::int32_t));
   for (std::int64_t i = 0; i < count; ++i)
   {
     if (spheres[i].R > least)
@@ -33,6 +36,8 @@ BuildSpheres::BuildSpheres(
       this->Ids.push_back(static_cast<std::int32_t>(i));
     }
   }
+  this->Spheres.reserve(this->Ids.size());
+  AdviseHugePages(this->Spheres.data(), this->Ids.size() * sizeof(BuildSphere));
   this->Spheres.resize(this->Ids.size());
   this->For(ChunksOf(static_cast<std::int64_t>(this->Ids.size())),
     [&](std::int64_t chunk)

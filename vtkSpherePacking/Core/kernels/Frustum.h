@@ -8,6 +8,8 @@
 
 namespace spherepacking
 {
+inline namespace SPHEREPACKING_ISA
+{
 /// Half spaces n.p + d >= 0 in the hierarchy's coordinates: the four sides and what is ahead.
 class Frustum
 {
@@ -15,9 +17,9 @@ public:
   Frustum(const CameraRays& rays, const Screen& screen, const RayBlock& block, const Bvh& bvh)
   {
     // The sides lie in the middle between rays of this block and of the next.
-    const double x0 = block.X0 - 0.5 * block.Step;
-    const double y0 = block.Y0 - 0.5 * block.Step;
-    const double side = RayBlock::Side * block.Step;
+    const double x0 = block.X0 - 0.5;
+    const double y0 = block.Y0 - 0.5;
+    constexpr double side = RayBlock::Side;
     const Ray middle = rays.At(x0 + 0.5 * side, y0 + 0.5 * side);
     const Ray low = rays.At(x0, y0);
     const Ray high = rays.At(x0 + side, y0 + side);
@@ -133,6 +135,7 @@ private:
   double Length;
   double PerDepth;
 };
+}
 }
 
 #endif

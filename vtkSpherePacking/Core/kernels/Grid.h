@@ -59,7 +59,19 @@ struct Grid
     }
   }
 
-private:
+  /// The cell of a coordinate, the nearest one outside the box.
+  std::int64_t CellOf(int axis, double x) const
+  {
+    const double low = this->Bounds.Low[axis];
+    const double extent = this->Bounds.High[axis] - low;
+    if (!(extent > 0.0))
+    {
+      return 0;
+    }
+    const double cell = std::floor((x - low) / extent * static_cast<double>(this->Cells));
+    return static_cast<std::int64_t>(std::clamp(cell, 0.0, static_cast<double>(this->Cells - 1)));
+  }
+
   double Plane(int axis, std::int64_t i) const
   {
     const double share = static_cast<double>(i) / static_cast<double>(this->Cells);
@@ -68,6 +80,7 @@ private:
       : this->Bounds.Low[axis] + share * (this->Bounds.High[axis] - this->Bounds.Low[axis]);
   }
 
+private:
   // The cell of a coordinate, or the one beside it when rounding may decide between them. The exact
   // test comes after; this one may be wrong on the safe side only. A few rounding errors of the
   // coordinates, in cells, are the margin.

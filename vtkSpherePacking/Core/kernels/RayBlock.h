@@ -9,6 +9,8 @@
 
 namespace spherepacking
 {
+inline namespace SPHEREPACKING_ISA
+{
 /// Which rays of a block may hit something: columns and rows, first to last.
 struct BlockPart
 {
@@ -38,18 +40,16 @@ struct RayBlock
   alignas(64) std::int64_t Id[Count];
   double X0; ///< of the first ray in the picture
   double Y0;
-  double Step; ///< from one ray to the next, in pixels
 
-  /// Rays through (x0 + i step, y0 + j step), i and j from 0 to 7.
-  void Start(const CameraRays& rays, double x0, double y0, double step)
+  /// Rays through (x0 + i, y0 + j), i and j from 0 to 7.
+  void Start(const CameraRays& rays, double x0, double y0)
   {
     this->X0 = x0;
     this->Y0 = y0;
-    this->Step = step;
     const Hit none;
     for (int i = 0; i < Count; ++i)
     {
-      const Ray ray = rays.At(x0 + (i % Side) * step, y0 + (i / Side) * step);
+      const Ray ray = rays.At(x0 + i % Side, y0 + i / Side);
       this->OX[i] = ray.O[0];
       this->OY[i] = ray.O[1];
       this->OZ[i] = ray.O[2];
@@ -70,12 +70,11 @@ struct RayBlock
   /// The rays inside `bounds`.
   BlockPart PartOf(const ScreenBounds& bounds) const
   {
-    const double scale = 1.0 / this->Step;
     BlockPart part;
-    part.X0 = static_cast<int>(std::ceil(std::max((bounds.X0 - this->X0) * scale, 0.0)));
-    part.X1 = static_cast<int>(std::floor(std::min((bounds.X1 - this->X0) * scale, Side - 1.0)));
-    part.Y0 = static_cast<int>(std::ceil(std::max((bounds.Y0 - this->Y0) * scale, 0.0)));
-    part.Y1 = static_cast<int>(std::floor(std::min((bounds.Y1 - this->Y0) * scale, Side - 1.0)));
+    part.X0 = static_cast<int>(std::ceil(std::max(bounds.X0 - this->X0, 0.0)));
+    part.X1 = static_cast<int>(std::floor(std::min(bounds.X1 - this->X0, Side - 1.0)));
+    part.Y0 = static_cast<int>(std::ceil(std::max(bounds.Y0 - this->Y0, 0.0)));
+    part.Y1 = static_cast<int>(std::floor(std::min(bounds.Y1 - this->Y0, Side - 1.0)));
     return part;
   }
 
@@ -117,6 +116,7 @@ private:
     Store(closer ? Long4{} + id : bestId, this->Id + first);
   }
 };
+}
 }
 
 #endif

@@ -78,25 +78,32 @@ inline double HitSphere(const Ray& ray, const Sphere& sphere, double inverseSqua
     ray.D[0], ray.D[1], ray.D[2], inverseSquare);
 }
 
-/// The unit normal, out of the sphere, where HitSphere() found t; from the perpendicular, so that
-/// it keeps its digits however far away the origin is.
+/// The unit normal, out of the sphere, where HitSphere() found a hit; from the perpendicular, so
+/// that it keeps its digits however far away the origin is.
+template <typename Real>
+inline void NormalAt(const Real (&f)[3], const Real& r, const Real (&d)[3],
+  const Real& inverseSquare, Real (&normal)[3])
+{
+  const Real middle = (f[0] * d[0] + f[1] * d[1] + f[2] * d[2]) * inverseSquare;
+  Real l[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    l[axis] = f[axis] - middle * d[axis];
+  }
+  const Real discriminant = r * r - (l[0] * l[0] + l[1] * l[1] + l[2] * l[2]);
+  const Real half = Sqrt(discriminant * inverseSquare);
+  const Real along = middle - half > 0.0 ? -half : half;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    normal[axis] = (along * d[axis] - l[axis]) / r;
+  }
+}
+
 inline void NormalAt(
   const Ray& ray, const Sphere& sphere, double inverseSquare, double (&normal)[3])
 {
   const double f[3] = { sphere.X - ray.O[0], sphere.Y - ray.O[1], sphere.Z - ray.O[2] };
-  const double middle = (f[0] * ray.D[0] + f[1] * ray.D[1] + f[2] * ray.D[2]) * inverseSquare;
-  double l[3];
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    l[axis] = f[axis] - middle * ray.D[axis];
-  }
-  const double discriminant = sphere.R * sphere.R - (l[0] * l[0] + l[1] * l[1] + l[2] * l[2]);
-  const double half = std::sqrt(discriminant * inverseSquare);
-  const double along = middle - half > 0.0 ? -half : half;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    normal[axis] = (along * ray.D[axis] - l[axis]) / sphere.R;
-  }
+  NormalAt<double>(f, sphere.R, ray.D, inverseSquare, normal);
 }
 
 }

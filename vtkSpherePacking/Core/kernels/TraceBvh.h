@@ -8,6 +8,8 @@
 
 namespace spherepacking
 {
+inline namespace SPHEREPACKING_ISA
+{
 /// Children that wait for their turn, the nearest on top.
 struct BvhStack
 {
@@ -39,8 +41,6 @@ struct BvhStack
   }
 };
 
-inline namespace SPHEREPACKING_ISA
-{
 /// A block on its way through the hierarchy.
 class BlockTracer
 {
@@ -123,6 +123,12 @@ private:
   double Last;
   float ScaledLast;
 };
+
+inline void TraceBlock(const Bvh& bvh, const SphereArrays& spheres, const CameraRays& rays,
+  const Screen& screen, RayBlock& block)
+{
+  BlockTracer(bvh, spheres, rays, screen, block).Run();
+}
 }
 }
 

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// First hits without a structure: every ray is tested against every sphere.
+#ifndef TraceAll_h
+#define TraceAll_h
+
+#include "kernels/RayBlock.h"
+#include "kernels/SphereArrays.h"
+
+namespace spherepacking
+{
+inline namespace SPHEREPACKING_ISA
+{
+inline Hit FirstHit(const SphereArrays& spheres, const Ray& ray)
+{
+  const double inverseSquare = InverseSquare(ray);
+  Hit hit;
+  for (std::int64_t i = 0; i < spheres.Count; ++i)
+  {
+    hit.Offer(HitSphere(ray, spheres[i], inverseSquare), i);
+  }
+  return hit;
+}
+
+inline void TraceBlock(const SphereArrays& spheres, RayBlock& block)
+{
+  for (std::int64_t i = 0; i < spheres.Count; ++i)
+  {
+    block.Offer(spheres[i], i, BlockPart());
+  }
+}
+}
+}
+
+#endif

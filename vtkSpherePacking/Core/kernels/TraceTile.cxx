@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "kernels/TraceTileKernel.h"
+
+#if defined(SPHEREPACKING_HAS_AVX2)
+#include "kernels/TraceTileAvx2.h"
+#endif
+
+namespace spherepacking
+{
+namespace
+{
+bool HasAvx2()
+{
+#if defined(SPHEREPACKING_HAS_AVX2)
+  static const bool has = __builtin_cpu_supports("avx2");
+  return has;
+#else
+  return false;
+#endif
+}
+}
+
+//------------------------------------------------------------------------------
+void TraceTile(const Scene& scene, const CameraRays& rays, const Vector& toEye, int samples,
+  const Tile& tile, const Picture& picture)
+{
+#if defined(SPHEREPACKING_HAS_AVX2)
+  if (HasAvx2())
+  {
+    TraceTileAvx2(scene, rays, toEye, samples, tile, picture);
+    return;
+  }
+#endif
+  TraceTileKernel(scene, rays, toEye, samples, tile, picture);
+}
+
+//------------------------------------------------------------------------------
+Hit FirstHit(const Scene& scene, const Ray& ray)
+{
+#if defined(SPHEREPACKING_HAS_AVX2)
+  if (HasAvx2())
+  {
+    return FirstHitAvx2(scene, ray);
+  }
+#endif
+  return FirstHitKernel(scene, ray);
+}
+}

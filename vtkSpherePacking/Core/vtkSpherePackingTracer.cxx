@@ -1,0 +1,489 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSpherePackingTracer.h"
+
+#include "vtkSpherePackingCameraRays.h"
+#include "vtkSpherePackingInput.h"
+#include "vtkSpherePackingMemory.h"
+#include "vtkSpherePackingParallelFor.h"
+#include "vtkSpherePackingTiles.h"
+#include "vtkSpherePackingTracerInternals.h"
+
+#include "io/HugePages.h"
+#include "kernels/BuildBvh.h"
+
+#include "vtkCamera.h"
+#include "vtkDoubleArray.h"
+#include "vtkErrorCode.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkScalarsToColors.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTypeInt64Array.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <chrono>
+#include <cmath>
+#include <stdexcept>
+
+vtkStandardNewMacro(vtkSpherePackingTracer);
+
+namespace
+{
+using spherepacking::Bvh;
+using spherepacking::GridTable;
+using Seconds = std::chrono::duration<double>;
+
+std::string Two(const int (&values)[2])
+{
+  return std::to_string(values[0]) + " " + std::to_string(values[1]);
+}
+
+spherepacking::Grid GridOf(vtkPolyData* packing, vtkDataArray* radii, std::int64_t cells)
+{
+  double bounds[6];
+  vtkSpherePackingInput::ComputeBounds(packing, radii, bounds);
+  return { { { bounds[0], bounds[2], bounds[4] }, { bounds[1], bounds[3], bounds[5] } }, cells };
+}
+
+// Spread evenly by a mixing of the id's bits, and not too dark.
+// Source: Steele, Lea and Flood, "Fast Splittable Pseudorandom Number Generators" (2014).
+void RandomColor(std::uint64_t id, unsigned char* color)
+{
+  std::uint64_t z = (id + 1) * 0x9e3779b97f4a7c15u;
+  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+  z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+  z ^= z >> 31;
+  for (int channel = 0; channel < 3; ++channel)
+  {
+    color[channel] = static_cast<unsigned char>(64 + ((z >> (8 * channel)) & 0xff) * 3 / 4);
+  }
+  color[3] = 255;
+}
+
+template <typename ArrayT>
+auto* AddPixels(vtkImageData* image, const char* name, int components)
+{
+  vtkNew<ArrayT> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  using Value = typename ArrayT::ValueType;
+  const vtkIdType count = components * image->GetNumberOfPoints();
+  void* memory = spherepacking::AllocateHugePages(count * sizeof(Value));
+  if (!memory)
+  {
+    throw std::bad_alloc();
+  }
+  array->SetArray(static_cast<Value*>(memory), count, 0, ArrayT::VTK_DATA_ARRAY_FREE);
+  image->GetPointData()->AddArray(array);
+  return array->GetPointer(0);
+}
+
+void AddField(vtkDataObject* output, const char* name, const std::vector<double>& values)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
+  std::copy(values.begin(), values.end(), array->GetPointer(0));
+  output->GetFieldData()->AddArray(array);
+}
+
+void AddExtents(vtkDataObject* output, const std::vector<spherepacking::Tile>& tiles)
+{
+  vtkNew<vtkIntArray> array;
+  array->SetName("tile_extents");
+  array->SetNumberOfComponents(4);
+  for (const spherepacking::Tile& tile : tiles)
+  {
+    const int extent[4] = { tile.X, tile.X + tile.Width - 1, tile.Y, tile.Y + tile.Height - 1 };
+    array->InsertNextTypedTuple(extent);
+  }
+  output->GetFieldData()->AddArray(array);
+}
+
+void ShowNothing(const spherepacking::Picture& picture, const spherepacking::Tile& tile)
+{
+  for (int y = tile.Y; y < tile.Y + tile.Height; ++y)
+  {
+    const std::int64_t first = static_cast<std::int64_t>(y) * picture.Width + tile.X;
+    std::fill_n(picture.Color + 4 * first, 4 * tile.Width, static_cast<unsigned char>(0));
+    std::fill_n(picture.Depth + first, tile.Width, std::numeric_limits<float>::infinity());
+    std::fill_n(picture.Normal + 3 * first, 3 * tile.Width, 0.0f);
+    std::fill_n(picture.Id + first, tile.Width, -1);
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+vtkSpherePackingTracer::vtkSpherePackingTracer()
+  : Internals(new vtkSpherePackingTracerInternals)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkSpherePackingTracer::~vtkSpherePackingTracer() = default;
+
+//------------------------------------------------------------------------------
+void vtkSpherePackingTracer::SetCamera(vtkCamera* camera)
+{
+  if (this->Camera != camera)
+  {
+    this->Camera = camera;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkCamera* vtkSpherePackingTracer::GetCamera()
+{
+  return this->Camera;
+}
+
+//------------------------------------------------------------------------------
+void vtkSpherePackingTracer::SetLookupTable(vtkScalarsToColors* table)
+{
+  if (this->LookupTable != table)
+  {
+    this->LookupTable = table;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkScalarsToColors* vtkSpherePackingTracer::GetLookupTable()
+{
+  return this->LookupTable;
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkSpherePackingTracer::GetMTime()
+{
+  vtkMTimeType time = this->Superclass::GetMTime();
+  for (vtkObject* part :
+    { static_cast<vtkObject*>(this->Camera), static_cast<vtkObject*>(this->LookupTable) })
+  {
+    time = part ? std::max(time, part->GetMTime()) : time;
+  }
+  return time;
+}
+
+//------------------------------------------------------------------------------
+int vtkSpherePackingTracer::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkSpherePackingTracer::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  vtkInformation* info = outputs->GetInformationObject(0);
+  const int extent[6] = { 0, this->WindowSize[0] - 1, 0, this->WindowSize[1] - 1, 0, 0 };
+  info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+  info->Set(vtkDataObject::SPACING(), 1.0, 1.0, 1.0);
+  info->Set(vtkDataObject::ORIGIN(), 0.0, 0.0, 0.0);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkSpherePackingTracer::Fail(const std::string& message)
+{
+  this->ErrorMessage = message;
+  this->SetErrorCode(vtkErrorCode::UserError);
+  vtkErrorMacro(<< message);
+  return 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkSpherePackingTracer::Check() const
+{
+  if (this->WindowSize[0] < 1 || this->WindowSize[1] < 1)
+  {
+    throw std::invalid_argument(
+      "window_size: found " + Two(this->WindowSize) + ", expected two numbers from 1 on");
+  }
+  if (this->TileSize[0] < 1 || this->TileSize[1] < 1)
+  {
+    throw std::invalid_argument(
+      "tile: found " + Two(this->TileSize) + ", expected two numbers from 1 on");
+  }
+  const double pixels = static_cast<double>(this->WindowSize[0]) * this->WindowSize[1];
+  if (pixels * 28.0 > vtkSpherePackingHalfOfMemory())
+  {
+    throw std::invalid_argument("window_size: found " + Two(this->WindowSize) +
+      ", which is more than fits in half of the memory, expected fewer pixels");
+  }
+  if (!this->Camera)
+  {
+    throw std::invalid_argument("camera: found none, expected one");
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkSpherePackingTracer::Prepare(vtkPolyData* packing)
+{
+  vtkNew<vtkSpherePackingInput> check;
+  vtkDataArray* radii = check->FindRadii(packing, this->RadiusArrayName.c_str());
+  if (*check->GetMessage())
+  {
+    throw std::invalid_argument(check->GetMessage());
+  }
+  vtkSpherePackingTracerInternals& kept = *this->Internals;
+  if (!radii)
+  {
+    kept = vtkSpherePackingTracerInternals();
+    return;
+  }
+  vtkDataArray* points = packing->GetPoints()->GetData();
+  const vtkMTimeType time =
+    std::max({ packing->GetPoints()->GetMTime(), points->GetMTime(), radii->GetMTime() });
+  if (kept.Points == points && kept.Radii == radii && kept.Time == time &&
+    kept.Structure == this->Structure && kept.Cuts == this->Cuts)
+  {
+    return;
+  }
+  kept = vtkSpherePackingTracerInternals();
+  const auto start = std::chrono::steady_clock::now();
+  kept.Arrays.reset(new vtkSpherePackingArrays(packing, radii));
+  this->BuildStructure(packing, radii);
+  kept.BuildSeconds = Seconds(std::chrono::steady_clock::now() - start).count();
+  kept.Points = points;
+  kept.Radii = radii;
+  kept.Time = time;
+  kept.Structure = this->Structure;
+  kept.Cuts = this->Cuts;
+}
+
+//------------------------------------------------------------------------------
+void vtkSpherePackingTracer::BuildStructure(vtkPolyData* packing, vtkDataArray* radii)
+{
+  vtkSpherePackingTracerInternals& kept = *this->Internals;
+  const spherepacking::SphereArrays& spheres = kept.Arrays->Get();
+  if (spheres.Count > std::numeric_limits<std::int32_t>::max())
+  {
+    throw std::invalid_argument(
+      "packing: found " + std::to_string(spheres.Count) + " spheres, expected at most 2147483647");
+  }
+  if (this->Structure == BVH)
+  {
+    kept.Hierarchy.reset(new Bvh(spherepacking::BuildBvh(spheres, vtkSpherePackingParallelFor())));
+  }
+  else if (this->Structure == GRID)
+  {
+    if (this->Cuts < -1)
+    {
+      throw std::invalid_argument(
+        "cuts: found " + std::to_string(this->Cuts) + ", expected 0 or more, or -1");
+    }
+    const double cells = this->Cuts < 0
+      ? std::max(1.0, std::ceil(std::cbrt(2.0 * static_cast<double>(spheres.Count))))
+      : this->Cuts + 1.0;
+    if (16.0 * std::pow(cells, 3.0) > vtkSpherePackingHalfOfMemory())
+    {
+      throw std::invalid_argument("cuts: found " + std::to_string(this->Cuts) +
+        ", which makes more cells than fit in half of the memory, expected fewer");
+    }
+    const spherepacking::Grid grid = GridOf(packing, radii, static_cast<std::int64_t>(cells));
+    kept.Table.reset(
+      new GridTable(spherepacking::BuildGrid(grid, spheres, vtkSpherePackingParallelFor())));
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkSpherePackingTracer::FindColors(vtkPolyData* packing)
+{
+  const vtkIdType count = packing->GetNumberOfPoints();
+  std::vector<unsigned char>& colors = this->Internals->Colors;
+  colors.assign(4 * count, 255);
+  if (this->RandomColors)
+  {
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      RandomColor(static_cast<std::uint64_t>(i), &colors[4 * i]);
+    }
+    return;
+  }
+  if (this->ColorArrayName.empty() || count == 0)
+  {
+    return;
+  }
+  vtkAbstractArray* scalars =
+    packing->GetPointData()->GetAbstractArray(this->ColorArrayName.c_str());
+  if (!scalars || scalars->GetNumberOfTuples() != count)
+  {
+    throw std::invalid_argument("scalars: the packing has no point array '" + this->ColorArrayName +
+      "' with a value for each sphere, expected the name of one");
+  }
+  vtkSmartPointer<vtkScalarsToColors> table = this->LookupTable;
+  if (!table)
+  {
+    table = vtkSmartPointer<vtkScalarsToColors>::New();
+    vtkDataArray* numbers = vtkDataArray::SafeDownCast(scalars);
+    double range[2] = { 0.0, 1.0 };
+    if (numbers)
+    {
+      numbers->GetFiniteRange(range, numbers->GetNumberOfComponents() == 1 ? 0 : -1);
+    }
+    table->SetRange(range);
+  }
+  const auto mapped = vtkSmartPointer<vtkUnsignedCharArray>::Take(
+    table->MapScalars(scalars, VTK_COLOR_MODE_DEFAULT, -1, VTK_RGBA));
+  std::copy_n(mapped->GetPointer(0), colors.size(), colors.begin());
+}
+
+//------------------------------------------------------------------------------
+int vtkSpherePackingTracer::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  this->ErrorMessage.clear();
+  this->SetErrorCode(vtkErrorCode::NoError);
+  try
+  {
+    this->Check();
+    vtkPolyData* packing = vtkPolyData::GetData(inputs[0]);
+    this->Prepare(packing);
+    this->FindColors(packing);
+    this->Trace(vtkImageData::GetData(outputs));
+  }
+  catch (const std::invalid_argument& error)
+  {
+    return this->Fail(error.what());
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkSpherePackingTracer::Trace(vtkImageData* output)
+{
+  vtkSpherePackingCameraRays camera;
+  this->SetRays(camera);
+  output->SetExtent(0, this->WindowSize[0] - 1, 0, this->WindowSize[1] - 1, 0, 0);
+  const spherepacking::Picture picture = { this->WindowSize[0], this->WindowSize[1],
+    AddPixels<vtkUnsignedCharArray>(output, "color", 4),
+    AddPixels<vtkFloatArray>(output, "depth", 1), AddPixels<vtkFloatArray>(output, "normal", 3),
+    AddPixels<vtkTypeInt64Array>(output, "sphere_id", 1) };
+  output->GetPointData()->SetActiveScalars("color");
+
+  const spherepacking::Scene scene = this->Internals->Scene();
+  vtkSpherePackingTiles tiles(this->WindowSize, this->TileSize);
+  const auto left = tiles.Run([&](const spherepacking::Tile& tile)
+    { spherepacking::TraceTile(scene, camera.Rays, camera.ToEye, this->Samples, tile, picture); },
+    [this](double share)
+    {
+      this->UpdateProgress(share);
+      return this->CheckAbort();
+    });
+  for (const spherepacking::Tile& tile : left)
+  {
+    ShowNothing(picture, tile);
+  }
+  AddExtents(output, tiles.Tiles);
+  AddField(output, "compute_seconds", tiles.ComputeSeconds);
+  AddField(output, "partial_seconds", tiles.PartialSeconds);
+  AddField(output, "complete_seconds", { tiles.CompleteSeconds });
+  AddField(output, "build_seconds", { this->Internals->BuildSeconds });
+  AddField(output, "memory_bytes", { this->Internals->Bytes() });
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkSpherePackingTracer::CastRay(
+  const double origin[3], const double direction[3], double& t, double normal[3])
+{
+  spherepacking::Ray ray;
+  std::copy_n(origin, 3, ray.O);
+  std::copy_n(direction, 3, ray.D);
+  return this->Cast(ray, t, normal);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkSpherePackingTracer::CastPixel(double x, double y, double& t, double normal[3])
+{
+  vtkSpherePackingCameraRays camera;
+  try
+  {
+    this->Check();
+    this->SetRays(camera);
+  }
+  catch (const std::invalid_argument& error)
+  {
+    this->Fail(error.what());
+    return -1;
+  }
+  return this->Cast(camera.Rays.At(x, y), t, normal);
+}
+
+//------------------------------------------------------------------------------
+void vtkSpherePackingTracer::SetRays(vtkSpherePackingCameraRays& camera)
+{
+  if (!camera.Set(this->Camera, this->WindowSize[0], this->WindowSize[1]))
+  {
+    throw std::invalid_argument("camera: found one without a picture, expected finite numbers, a "
+                                "position away from the focal point, a view-up that is not the "
+                                "direction of view, and an angle or a scale above 0");
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkSpherePackingTracer::Cast(const spherepacking::Ray& ray, double& t, double normal[3])
+{
+  this->ErrorMessage.clear();
+  this->SetErrorCode(vtkErrorCode::NoError);
+  t = spherepacking::NoHit;
+  std::fill_n(normal, 3, 0.0);
+  try
+  {
+    const double square = spherepacking::Dot(ray.D, ray.D);
+    if (!(square > 0.0) || !std::isfinite(square + ray.O[0] + ray.O[1] + ray.O[2]))
+    {
+      throw std::invalid_argument(
+        "ray: found numbers that are not finite or a direction of length 0, expected a ray");
+    }
+    if (this->GetNumberOfInputConnections(0) == 0)
+    {
+      throw std::invalid_argument("packing: found none, expected one");
+    }
+    this->GetInputAlgorithm()->Update();
+    this->Prepare(vtkPolyData::SafeDownCast(this->GetInput()));
+  }
+  catch (const std::invalid_argument& error)
+  {
+    this->Fail(error.what());
+    return -1;
+  }
+  const spherepacking::Scene scene = this->Internals->Scene();
+  const spherepacking::Hit hit = spherepacking::FirstHit(scene, ray);
+  if (hit.Id >= 0)
+  {
+    t = hit.T;
+    double n[3];
+    spherepacking::NormalAt(ray, scene.Spheres[hit.Id], spherepacking::InverseSquare(ray), n);
+    std::copy_n(n, 3, normal);
+  }
+  return hit.Id;
+}
+
+//------------------------------------------------------------------------------
+void vtkSpherePackingTracer::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Camera: " << this->Camera.Get() << "\n";
+  os << indent << "WindowSize: " << Two(this->WindowSize) << "\n";
+  os << indent << "Structure: " << this->Structure << "\n";
+  os << indent << "Cuts: " << this->Cuts << "\n";
+  os << indent << "Samples: " << this->Samples << "\n";
+  os << indent << "TileSize: " << Two(this->TileSize) << "\n";
+  os << indent << "RadiusArrayName: " << this->RadiusArrayName << "\n";
+  os << indent << "ColorArrayName: " << this->ColorArrayName << "\n";
+  os << indent << "LookupTable: " << this->LookupTable.Get() << "\n";
+  os << indent << "RandomColors: " << (this->RandomColors ? "On" : "Off") << "\n";
+  os << indent << "ErrorMessage: " << this->ErrorMessage << "\n";
+}
