@@ -46,13 +46,12 @@ def count_of(name: str, value: int, least: int = 1, most: int = 2**31 - 1) -> in
     return count
 
 
-def size_of(name: str, value: Sequence[int], scale: int = 1) -> tuple[int, int]:
-    """`value` as width and height that OpenGL draws when enlarged, or a TypeError or ValueError."""
+def size_of(name: str, value: Sequence[int], most: int) -> tuple[int, int]:
+    """`value` as width and height of at most `most` pixels, or a TypeError or ValueError."""
     try:
         width, height = value
     except (TypeError, ValueError):
         raise ValueError(f"{name}: found {value!r}, expected width and height in pixels") from None
-    most = 16384 // scale
     return count_of(name, width, most=most), count_of(name, height, most=most)
 
 

@@ -60,8 +60,11 @@ importlib.import_module(f"{VTK_ROOT}.vtkRenderingOpenGL2")
 _core = _load("vtkSpherePackingCore")
 _rendering = _load("vtkSpherePackingRendering")
 
+# How a number comes back from a C++ reference.
+reference = importlib.import_module(f"{VTK_ROOT}.vtkCommonCore").reference
 vtkSpherePackingGrid = _core.vtkSpherePackingGrid
 vtkSpherePackingInput = _core.vtkSpherePackingInput
 vtkSpherePackingReader = _core.vtkSpherePackingReader
+vtkSpherePackingTracer = _core.vtkSpherePackingTracer
 vtkSpherePackingWriter = _core.vtkSpherePackingWriter
 vtkOpenGLSpherePackingMapper = _rendering.vtkOpenGLSpherePackingMapper

@@ -285,7 +285,7 @@ class PackingComponent:
         check_output(filename)
         factor = 1 if scale is None else arguments.count_of("scale", scale, most=16384)
         size = self.plotter.window_size if window_size is None else window_size
-        arguments.size_of("window_size", size, factor)
+        arguments.size_of("window_size", size, most=16384 // factor)
         # PyVista would take what is in the window, before the last changes.
         self.plotter.render()
         pixels = self.plotter.screenshot(

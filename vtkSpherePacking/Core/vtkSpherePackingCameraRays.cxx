@@ -61,8 +61,14 @@ bool vtkSpherePackingCameraRays::Set(vtkCamera* camera, int width, int height)
   const double aspect = static_cast<double>(width) / height;
   ViewRays view;
   const bool projects = view.Set(camera->GetProjectionTransformMatrix(aspect, -1.0, 1.0), parallel);
+  vtkMatrix4x4* toView = camera->GetModelViewTransformMatrix();
+  // Not finite, or without a direction for the picture's upper side.
+  if (!(std::abs(toView->Determinant()) > 0.0))
+  {
+    return false;
+  }
   vtkNew<vtkMatrix4x4> toWorld;
-  vtkMatrix4x4::Invert(camera->GetModelViewTransformMatrix(), toWorld);
+  vtkMatrix4x4::Invert(toView, toWorld);
 
   // From pixels to device coordinates: x = 2 px / width - 1.
   const double scale[2] = { 2.0 / width, 2.0 / height };

@@ -303,7 +303,7 @@ void vtkSpherePackingTracer::FindColors(vtkPolyData* packing)
 {
   const vtkIdType count = packing->GetNumberOfPoints();
   std::vector<unsigned char>& colors = this->Internals->Colors;
-  colors.assign(4 * count, 255);
+  colors.resize(4 * count);
   if (this->RandomColors)
   {
     for (vtkIdType i = 0; i < count; ++i)
@@ -314,6 +314,17 @@ void vtkSpherePackingTracer::FindColors(vtkPolyData* packing)
   }
   if (this->ColorArrayName.empty() || count == 0)
   {
+    unsigned char color[4] = { 0, 0, 0, 255 };
+    for (int channel = 0; channel < 3; ++channel)
+    {
+      // NaN becomes 0.
+      const double share = std::min(std::max(0.0, this->Color[channel]), 1.0);
+      color[channel] = static_cast<unsigned char>(255.0 * share + 0.5);
+    }
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      std::copy_n(color, 4, &colors[4 * i]);
+    }
     return;
   }
   vtkAbstractArray* scalars =
@@ -382,6 +393,8 @@ void vtkSpherePackingTracer::Trace(vtkImageData* output)
       this->UpdateProgress(share);
       return this->CheckAbort();
     });
+  // The executive would throw away what is done.
+  this->SetAbortOutput(false);
   for (const spherepacking::Tile& tile : left)
   {
     ShowNothing(picture, tile);
@@ -484,6 +497,8 @@ void vtkSpherePackingTracer::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "RadiusArrayName: " << this->RadiusArrayName << "\n";
   os << indent << "ColorArrayName: " << this->ColorArrayName << "\n";
   os << indent << "LookupTable: " << this->LookupTable.Get() << "\n";
+  os << indent << "Color: " << this->Color[0] << " " << this->Color[1] << " " << this->Color[2]
+     << "\n";
   os << indent << "RandomColors: " << (this->RandomColors ? "On" : "Off") << "\n";
   os << indent << "ErrorMessage: " << this->ErrorMessage << "\n";
 }

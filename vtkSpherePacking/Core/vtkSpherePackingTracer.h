@@ -131,6 +131,13 @@ public:
   vtkScalarsToColors* GetLookupTable();
 
   /**
+   * Red, green and blue of all spheres when there are no scalars, from 0 to 1, default white. Other
+   * numbers become the nearest of these.
+   */
+  vtkSetVector3Macro(Color, double);
+  vtkGetVector3Macro(Color, double);
+
+  /**
    * One random colour a sphere, the same at every run, instead of scalars. Off by default.
    */
   vtkSetMacro(RandomColors, bool);
@@ -185,6 +192,7 @@ private:
   int Structure = BVH;
   int Cuts = -1;
   int Samples = 1;
+  double Color[3] = { 1.0, 1.0, 1.0 };
   bool RandomColors = false;
   std::string RadiusArrayName = "radius";
   std::string ColorArrayName;

@@ -95,7 +95,14 @@ inline void NormalAt(const Real (&f)[3], const Real& r, const Real (&d)[3],
   const Real along = middle - half > 0.0 ? -half : half;
   for (int axis = 0; axis < 3; ++axis)
   {
-    normal[axis] = (along * d[axis] - l[axis]) / r;
+    normal[axis] = along * d[axis] - l[axis];
+  }
+  // Its length is the radius but for rounding, which is all that is left of tiny spheres far away.
+  const Real length =
+    Sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    normal[axis] /= length;
   }
 }
 

@@ -1,0 +1,185 @@
+"""How the accessor ``packing`` casts rays: arguments, colours and errors of the C++ tracer."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+import pyvista as pv
+
+from . import _arguments as arguments
+from ._colour_map import colour_map_of
+from ._progress import progress_bar
+from ._scalars import scalars_of
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from numpy.typing import ArrayLike
+    from pyvista.plotting._typing import ColorLike
+
+    from ._backend import vtkSpherePackingTracer
+
+STRUCTURES = ("none", "grid", "bvh")
+_LARGEST_SIZE = 65536
+
+
+class Pick(NamedTuple):
+    """What a ray hits first.
+
+    Attributes
+    ----------
+    sphere_id : int
+        Index of the sphere in the packing.
+    point : numpy.ndarray
+        Where it is hit (3,), in the unit of the packing.
+    normal : numpy.ndarray
+        Unit vector (3,) out of the sphere.
+    """
+
+    sphere_id: int
+    point: np.ndarray
+    normal: np.ndarray
+
+
+class Caster:
+    """A tracer that keeps its structure for as long as the packing does not change."""
+
+    def __init__(self) -> None:
+        self._tracer: vtkSpherePackingTracer | None = None
+
+    def prepare(
+        self,
+        packing: pv.PolyData,
+        camera: object,
+        window_size: Sequence[int],
+        structure: str = "bvh",
+        cuts: int | None = None,
+    ) -> vtkSpherePackingTracer:
+        """Check the arguments and hand them to the tracer."""
+        from ._backend import vtkSpherePackingTracer
+
+        if structure not in STRUCTURES:
+            raise ValueError(
+                f"structure: found {structure!r}, expected one of {', '.join(STRUCTURES)}"
+            )
+        if cuts is not None:
+            cuts = arguments.count_of("cuts", cuts, least=0)
+        size = arguments.size_of("window_size", window_size, most=_LARGEST_SIZE)
+        camera = camera_of(camera)
+        if packing.n_points:
+            arguments.radii_of(packing, "radius")
+        if self._tracer is None:
+            self._tracer = vtkSpherePackingTracer()
+            # Errors are raised, not printed.
+            self._tracer.AddObserver("ErrorEvent", _ignore)
+            self._tracer.GetExecutive().AddObserver("ErrorEvent", _ignore)
+        tracer = self._tracer
+        # Shares the arrays; the packing itself would be kept alive by its own accessor.
+        tracer.SetInputData(packing.copy(deep=False))
+        tracer.SetCamera(camera)
+        tracer.SetWindowSize(size)
+        tracer.SetStructure(STRUCTURES.index(structure))
+        tracer.SetCuts(-1 if cuts is None else cuts)
+        return tracer
+
+    def cast(
+        self,
+        packing: pv.PolyData,
+        samples: int,
+        tile: Sequence[int] | int | None,
+        look: dict[str, object],
+        progress: bool,
+    ) -> pv.ImageData:
+        """Make the picture."""
+        tracer = self._tracer
+        tracer.SetSamples(arguments.count_of("samples", samples, most=16))
+        tile = 64 if tile is None else tile
+        tile = (tile, tile) if np.ndim(tile) == 0 else tile
+        tracer.SetTileSize(arguments.size_of("tile", tile, most=_LARGEST_SIZE))
+        _set_look(tracer, packing, **look)
+        with progress_bar(tracer, "casting rays", delay=0.0 if progress else np.inf):
+            tracer.Update()
+        if tracer.GetErrorMessage():
+            raise ValueError(tracer.GetErrorMessage())
+        image = pv.ImageData()
+        # The next picture is another one.
+        image.ShallowCopy(tracer.GetOutput())
+        return image
+
+    def pick(self, packing: pv.PolyData, x: float, y: float) -> Pick | None:
+        """Cast the ray through a pixel."""
+        from ._backend import reference
+
+        tracer = self._tracer
+        width, height = tracer.GetWindowSize()
+        x = arguments.number_of("x", x, 0.0, width)
+        y = arguments.number_of("y", y, 0.0, height)
+        t, normal = reference(0.0), [0.0, 0.0, 0.0]
+        sphere = tracer.CastPixel(x, y, t, normal)
+        if tracer.GetErrorMessage():
+            raise ValueError(tracer.GetErrorMessage())
+        if sphere < 0:
+            return None
+        normal = np.array(normal)
+        # From the sphere, so that the point keeps its digits however far the camera is.
+        radius = float(packing.point_data["radius"][sphere])
+        return Pick(sphere, np.asarray(packing.points[sphere], float) + radius * normal, normal)
+
+
+def _ignore(*_: object) -> None:
+    pass
+
+
+def camera_of(camera: object) -> object:
+    """`camera` as a vtkCamera, or a TypeError or ValueError.
+
+    Parameters
+    ----------
+    camera : pyvista.Camera, vtkCamera or sequence
+        A camera, or its position, focal point and view-up.
+    """
+    if hasattr(camera, "IsA") and camera.IsA("vtkCamera"):
+        return camera
+    try:
+        position, focal_point, up = np.asarray(camera, dtype=float).reshape(3, 3).tolist()
+    except (TypeError, ValueError):
+        raise TypeError(
+            f"camera: found a {type(camera).__name__}, expected a camera, or three points: its "
+            "position, focal point and view-up"
+        ) from None
+    if position == focal_point:
+        raise ValueError(f"camera: found one that stands where it looks at, {position}")
+    made = pv.Camera()
+    made.position, made.focal_point, made.up = position, focal_point, up
+    return made
+
+
+def _set_look(
+    tracer: vtkSpherePackingTracer,
+    packing: pv.PolyData,
+    scalars: str | ArrayLike | None,
+    cmap: str | list[ColorLike] | pv.LookupTable | None,
+    clim: Sequence[float] | float | None,
+    log_scale: bool,
+    color: ColorLike | None,
+    random_colors: bool,
+) -> None:
+    """Colours as ``plotter.packing.add`` would give the spheres."""
+    from .mapper import SpherePackingMapper
+
+    found = scalars_of(packing, scalars, False, active=color is None and not random_colors)
+    words = colour_map_of(found, None, cmap, clim, 256, False, log_scale, None)
+    color = arguments.color_of("color", color)
+    tracer.SetRandomColors(bool(random_colors))
+    tracer.SetColorArrayName("")
+    tracer.SetLookupTable(None)
+    tracer.SetColor(pv.Color(color, default_color=pv.global_theme.color).float_rgb)
+    if found.values is None or not packing.n_points:
+        return
+    data = packing.copy(deep=False)
+    mapper = SpherePackingMapper(data, None, "radius")
+    mapper.set_scalars(found.values, found.name, **words)
+    tracer.SetInputData(data)
+    tracer.SetColorArrayName(found.name)
+    tracer.SetLookupTable(mapper.lookup_table)
