@@ -7,11 +7,12 @@ import os
 import signal
 import sys
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Literal
 
 from cyclopts import App, CycloptsError, Parameter
 
 Vector = tuple[float, float, float]
+Technique = Literal["opengl", "raycast", "bvh", "grid"]
 Output = Annotated[Path, Parameter(alias="-o")]
 
 # In the middle at the bottom. With four labels, none of them is below the title and touches it.
@@ -80,6 +81,11 @@ def render(
     background: str | None = None,
     transparent: bool = False,
     anti_aliasing: bool = True,
+    technique: Technique = "opengl",
+    structure: Literal["bvh", "grid", "none"] = "bvh",
+    samples: int | None = None,
+    boxes: int = 15,
+    cuts: int = 6,
 ) -> None:
     """Draw a packing and save the picture.
 
@@ -123,17 +129,31 @@ def render(
         Leave the background transparent.
     anti_aliasing
         Smooth edges, by drawing a larger picture and averaging it.
+    technique
+        opengl draws as in a window; raycast casts rays on the processor, lit from the camera,
+        without a scalar bar; bvh and grid draw the boxes of these structures around the spheres.
+    structure
+        How raycast finds spheres; it makes a difference to the time only.
+    samples
+        n for n x n rays a pixel with raycast; by default 2 with anti-aliasing, else 1.
+    boxes
+        Number of boxes with bvh.
+    cuts
+        How often grid cuts each axis.
     """
     from ._offscreen import choose_window
 
     choose_window()
     _load()
 
+    from ._technique import add_boxes, save_ray_cast
     from ._view import aim, check_extent, fit
     from .image import check_output
 
     check_output(output)
     _check_view(size, zoom, view_angle, anti_aliasing)
+    if technique == "raycast" and opacity != 1.0:
+        raise ValueError(f"--opacity: found {opacity}, expected 1 with --technique raycast")
 
     import pyvista as pv
 
@@ -144,17 +164,34 @@ def render(
         _set_background(plotter, background)
         if anti_aliasing:
             plotter.enable_anti_aliasing("ssaa")
-        _add(plotter, spheres, scalars, cmap, clim, log_scale, color, opacity, scalar_bar)
+        look = _look(plotter, spheres, scalars, cmap, clim, log_scale, color)
+        plotter.packing.add(
+            spheres,
+            **look,
+            opacity=opacity,
+            show_scalar_bar=scalar_bar and technique != "raycast",
+            scalar_bar_args=_BAR,
+            specular=0.3,
+            specular_power=20.0,
+        )
+        shown = spheres
+        if technique in ("bvh", "grid"):
+            shown = add_boxes(plotter, spheres, technique, boxes, cuts)
         aim(plotter.camera, camera, focal, up)
         if view_angle is not None:
             plotter.camera.view_angle = view_angle
         elif camera is None and focal is None and spheres.n_points:
             # The scalar bar needs room at the bottom, in pixels, since its letters do.
             room = 110.0 / size[1] if len(plotter.scalar_bars) else 0.04
-            fit(plotter.camera, spheres, size, max(1.0 - 2.0 * room, 0.5))
+            fit(plotter.camera, shown, size, max(1.0 - 2.0 * room, 0.5))
         if parallel:
             plotter.enable_parallel_projection()
         plotter.camera.zoom(zoom)
+        if technique == "raycast":
+            samples = (2 if anti_aliasing else 1) if samples is None else samples
+            cast = {"window_size": size, "structure": structure, "samples": samples}
+            save_ray_cast(plotter, spheres, output, transparent, cast | look)
+            return
         plotter.renderer.ResetCameraClippingRange()
         plotter.packing.screenshot(output, transparent_background=transparent)
     finally:
@@ -168,7 +205,7 @@ def _set_background(plotter: object, background: str | None) -> None:
         plotter.set_background(color_of("--background", background))
 
 
-def _add(
+def _look(
     plotter: object,
     spheres: object,
     scalars: str | None,
@@ -176,10 +213,8 @@ def _add(
     clim: tuple[float, float] | None,
     log_scale: bool | None,
     color: str | None,
-    opacity: float,
-    scalar_bar: bool,
-) -> None:
-    """Add the spheres in the look that was asked for, and else in one that suits the radii."""
+) -> dict[str, object]:
+    """The look that was asked for, and else one that suits the radii."""
     if scalars is not None and scalars not in spheres.point_data:
         there = ", ".join(spheres.point_data.keys())
         raise ValueError(f"--scalars: found no array {scalars!r}, expected one of: {there}")
@@ -188,19 +223,13 @@ def _add(
         color = plotter.theme.color
     if log_scale is None and color is None and scalars in (None, "radius"):
         log_scale, clim = _radius_scale(spheres, clim)
-    plotter.packing.add(
-        spheres,
-        scalars=scalars,
-        cmap=cmap,
-        clim=clim,
-        log_scale=bool(log_scale),
-        color=color,
-        opacity=opacity,
-        show_scalar_bar=scalar_bar,
-        scalar_bar_args=_BAR,
-        specular=0.3,
-        specular_power=20.0,
-    )
+    return {
+        "scalars": scalars,
+        "cmap": cmap,
+        "clim": clim,
+        "log_scale": bool(log_scale),
+        "color": color,
+    }
 
 
 def _all_alike(packing: object) -> bool:

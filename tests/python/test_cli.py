@@ -261,6 +261,38 @@ def test_length_of_up_does_not_matter(file, factor):
     assert np.array_equal(draw(file, *PLAIN, *words, "--up", 0, factor, factor), expected)
 
 
+@pytest.mark.parametrize("structure", ["bvh", "grid", "none"])
+def test_render_ray_cast(file, structure):
+    """Spheres are where the mapper draws them, with every structure."""
+    view = ["--size", 120, 90, "--color", "white", "--no-scalar-bar", "--transparent"]
+    view += ["--no-anti-aliasing"]
+    drawn = draw(file, *view)[..., 3] > 0
+    cast = draw(file, *view, "--technique", "raycast", "--structure", structure)[..., 3] > 0
+    assert 100 < drawn.sum() < drawn.size
+    assert (drawn != cast).sum() <= 1
+
+
+def test_render_ray_cast_over_a_background(file):
+    view = ["--size", 40, 40, "--technique", "raycast", "--background", "#0000ff"]
+    assert draw(file, *view)[0, 0].tolist() == [0, 0, 255]
+    picture = draw(file, *view, "--transparent", "--samples", 3)
+    assert picture[0, 0].tolist() == [0, 0, 0, 0]
+    assert len(np.unique(picture[..., 3])) > 3, "nine rays a pixel make steps of alpha"
+
+
+@pytest.mark.parametrize(
+    ("technique", "option", "few", "many"), [("bvh", "--boxes", 1, 3), ("grid", "--cuts", 0, 3)]
+)
+def test_render_boxes(file, technique, option, few, many):
+    """Black edges, around all spheres: what is drawn around them grows with their number."""
+    view = ["--size", 200, 200, "--color", "red", "--background", "white", "--no-scalar-bar"]
+    dark = [
+        (draw(file, *view, "--technique", technique, option, n).max(axis=-1) < 60).mean()
+        for n in (few, many)
+    ]
+    assert 0.0 < dark[0] < dark[1]
+
+
 @pytest.mark.parametrize("name", ["deme_TeddyBear.csv", "voronota_3dlb.xyzr", "apbs_achbp.pqr"])
 def test_render_real_input(tmp_path, data_file, name):
     output = tmp_path / "a.png"
@@ -367,6 +399,10 @@ ERRORS = {
     "render {good} -o {png} --color nonsense": "nonsense",
     "render {good} -o {png} --cmap nonsense": "nonsense",
     "render {good} -o {png} --opacity 2": "opacity: found 2",
+    "render {good} -o {png} --technique raycast --opacity 0.5": "--opacity: found 0.5",
+    "render {good} -o {png} --technique raycast --samples 0": "samples: found 0, expected",
+    "render {good} -o {png} --technique painting": "painting",
+    "render {good} -o {png} --technique grid --cuts -1": "cuts: found -1, expected",
     "render {good} -o {png} --camera 9 0 0 --focal 9 0 0": "the camera stands where it looks at",
     "render {good} -o {png} --camera 9 0 0 --focal 0 0 0 --up 1 0 0": "--up: found the direction",
     "render {good} -o {folder}/a.nonsense": "a.nonsense",
