@@ -39,6 +39,10 @@ BuildSpheres::BuildSpheres(
   this->Spheres.reserve(this->Ids.size());
   AdviseHugePages(this->Spheres.data(), this->Ids.size() * sizeof(BuildSphere));
   this->Spheres.resize(this->Ids.size());
+  this->Aside.reserve(this->Ids.size());
+  AdviseHugePages(this->Aside.data(), this->Ids.size() * sizeof(BuildSphere));
+  this->Aside.resize(this->Ids.size());
+  this->IdsAside.resize(this->Ids.size());
   this->For(ChunksOf(static_cast<std::int64_t>(this->Ids.size())),
     [&](std::int64_t chunk)
     {
@@ -98,7 +102,8 @@ void BuildSpheres::Scene(const SphereArrays& spheres)
     this->Center[axis] = spheres.Count == 0 ? 0.0 : low + 0.5 * (high - low);
     half = spheres.Count == 0 ? 0.0 : std::max(half, 0.5 * (high - low));
   }
-  this->Scale = half > 0.0 ? 1.0 / half : 1.0;
+  // The inverse of a denormal number may be infinite.
+  this->Scale = half >= std::numeric_limits<double>::min() ? 1.0 / half : 1.0;
 }
 
 //------------------------------------------------------------------------------
@@ -179,27 +184,94 @@ SahSplit BuildSpheres::Find(const BuildRange& range, const SahBinning& binning, 
 std::int64_t BuildSpheres::Partition(
   const BuildRange& range, const SahBinning& binning, const SahSplit& split, FloatBox (&centers)[2])
 {
-  std::int64_t left = range.First;
-  std::int64_t right = range.First + range.Count - 1;
-  const auto goesLeft = [&](std::int64_t i)
-  { return binning.BinOf(this->Spheres[i], split.Axis) < split.Bin; };
-  for (;;)
+  return range.Count <= 2 * Chunk
+    ? this->PartitionPart(range.First, range.First + range.Count, binning, split, centers)
+    : this->PartitionInParallel(range, binning, split, centers);
+}
+
+//------------------------------------------------------------------------------
+std::int64_t BuildSpheres::PartitionPart(std::int64_t first, std::int64_t last,
+  const SahBinning& binning, const SahSplit& split, FloatBox (&centers)[2])
+{
+  // Without branches, which nobody could foretell: each sphere is written to where it would go on
+  // either side, and only one of the two places moves on.
+  std::int64_t left = first;
+  std::int64_t right = first;
+  for (std::int64_t i = first; i < last; ++i)
   {
-    for (; left <= right && goesLeft(left); ++left)
-    {
-      centers[0].AddCenter(this->Spheres[left]);
-    }
-    for (; left <= right && !goesLeft(right); --right)
-    {
-      centers[1].AddCenter(this->Spheres[right]);
-    }
-    if (left > right)
-    {
-      return left;
-    }
-    std::swap(this->Spheres[left], this->Spheres[right]);
-    std::swap(this->Ids[left], this->Ids[right]);
+    const BuildSphere sphere = this->Spheres[i];
+    const std::int32_t id = this->Ids[i];
+    const int side = binning.BinOf(sphere, split.Axis) >= split.Bin;
+    this->Spheres[left] = sphere;
+    this->Ids[left] = id;
+    this->Aside[right] = sphere;
+    this->IdsAside[right] = id;
+    left += 1 - side;
+    right += side;
+    centers[side].AddCenter(sphere);
   }
+  std::copy(&this->Aside[first], &this->Aside[first] + (right - first), &this->Spheres[left]);
+  std::copy(&this->IdsAside[first], &this->IdsAside[first] + (right - first), &this->Ids[left]);
+  return left;
+}
+
+//------------------------------------------------------------------------------
+std::int64_t BuildSpheres::PartitionInParallel(
+  const BuildRange& range, const SahBinning& binning, const SahSplit& split, FloatBox (&centers)[2])
+{
+  // Each chunk by itself, then all left and all right sides together.
+  struct Part
+  {
+    std::int64_t First;
+    std::int64_t Middle;
+    std::int64_t Last;
+    FloatBox Centers[2];
+    std::int64_t Targets[2];
+  };
+  std::vector<Part> parts(ChunksOf(range.Count));
+  const std::int64_t count = static_cast<std::int64_t>(parts.size());
+  this->For(count,
+    [&](std::int64_t k)
+    {
+      Part& part = parts[k];
+      part.First = range.First + k * Chunk;
+      part.Last = std::min(part.First + Chunk, range.First + range.Count);
+      part.Middle = this->PartitionPart(part.First, part.Last, binning, split, part.Centers);
+    });
+  std::int64_t target = range.First;
+  for (Part& part : parts)
+  {
+    part.Targets[0] = target;
+    target += part.Middle - part.First;
+    centers[0].Add(part.Centers[0]);
+    centers[1].Add(part.Centers[1]);
+  }
+  const std::int64_t middle = target;
+  for (Part& part : parts)
+  {
+    part.Targets[1] = target;
+    target += part.Last - part.Middle;
+  }
+  const auto move =
+    [](const auto& from, std::int64_t first, std::int64_t last, auto& to, std::int64_t place)
+  { std::copy(from.data() + first, from.data() + last, to.data() + place); };
+  this->For(count,
+    [&](std::int64_t k)
+    {
+      const Part& part = parts[k];
+      move(this->Spheres, part.First, part.Middle, this->Aside, part.Targets[0]);
+      move(this->Spheres, part.Middle, part.Last, this->Aside, part.Targets[1]);
+      move(this->Ids, part.First, part.Middle, this->IdsAside, part.Targets[0]);
+      move(this->Ids, part.Middle, part.Last, this->IdsAside, part.Targets[1]);
+    });
+  this->For(count,
+    [&](std::int64_t k)
+    {
+      const Part& part = parts[k];
+      move(this->Aside, part.First, part.Last, this->Spheres, part.First);
+      move(this->IdsAside, part.First, part.Last, this->Ids, part.First);
+    });
+  return middle;
 }
 
 //------------------------------------------------------------------------------

@@ -44,6 +44,14 @@ private:
   SahSplit Find(const BuildRange& range, const SahBinning& binning, int bins) const;
   std::int64_t Partition(const BuildRange& range, const SahBinning& binning, const SahSplit& split,
     FloatBox (&centers)[2]);
+  std::int64_t PartitionPart(std::int64_t first, std::int64_t last, const SahBinning& binning,
+    const SahSplit& split, FloatBox (&centers)[2]);
+  std::int64_t PartitionInParallel(const BuildRange& range, const SahBinning& binning,
+    const SahSplit& split, FloatBox (&centers)[2]);
+
+  // Where spheres are put aside, one for each.
+  std::vector<BuildSphere> Aside;
+  std::vector<std::int32_t> IdsAside;
   const ParallelFor& For;
 };
 }

@@ -98,8 +98,7 @@ inline void NormalAt(const Real (&f)[3], const Real& r, const Real (&d)[3],
     normal[axis] = along * d[axis] - l[axis];
   }
   // Its length is the radius but for rounding, which is all that is left of tiny spheres far away.
-  const Real length =
-    Sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
+  const Real length = Sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
   for (int axis = 0; axis < 3; ++axis)
   {
     normal[axis] /= length;

@@ -8,53 +8,66 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstring>
 
 namespace spherepacking
 {
+using Float4 = float __attribute__((vector_size(16)));
+using Int4 = std::int32_t __attribute__((vector_size(16)));
+
 /// A sphere as the builder sees it: single precision, the radius enlarged by what rounding needs.
-struct BuildSphere
+struct alignas(16) BuildSphere
 {
   float X[3];
   float R;
+
+  Float4 Vector() const
+  {
+    Float4 vector;
+    std::memcpy(&vector, this, sizeof(vector));
+    return vector;
+  }
 };
 
-/// Lower ends are kept with the sign changed, so that all six grow by taking the larger.
+inline Float4 Larger(const Float4& a, const Float4& b)
+{
+  return a > b ? a : b;
+}
+
+/// Lower ends are kept with the sign changed, so that all six grow by taking the larger. The fourth
+/// element of each means nothing.
 struct FloatBox
 {
   static constexpr float Empty = -3e38f;
 
-  float Ends[8] = { Empty, Empty, Empty, Empty, Empty, Empty, Empty, Empty };
+  Float4 Below = Float4{} + Empty;
+  Float4 Above = Float4{} + Empty;
 
   void Add(const BuildSphere& sphere)
   {
-    const float ends[8] = { sphere.R - sphere.X[0], sphere.R - sphere.X[1], sphere.R - sphere.X[2],
-      0.0f, sphere.R + sphere.X[0], sphere.R + sphere.X[1], sphere.R + sphere.X[2], 0.0f };
-    this->Grow(ends);
+    const Float4 center = sphere.Vector();
+    this->Below = Larger(this->Below, sphere.R - center);
+    this->Above = Larger(this->Above, sphere.R + center);
   }
   void AddCenter(const BuildSphere& sphere)
   {
-    this->Add(BuildSphere{ { sphere.X[0], sphere.X[1], sphere.X[2] }, 0.0f });
+    const Float4 center = sphere.Vector();
+    this->Below = Larger(this->Below, -center);
+    this->Above = Larger(this->Above, center);
   }
-  void Add(const FloatBox& box) { this->Grow(box.Ends); }
+  void Add(const FloatBox& box)
+  {
+    this->Below = Larger(this->Below, box.Below);
+    this->Above = Larger(this->Above, box.Above);
+  }
 
-  float Low(int axis) const { return -this->Ends[axis]; }
-  float High(int axis) const { return this->Ends[4 + axis]; }
+  float Low(int axis) const { return -this->Below[axis]; }
+  float High(int axis) const { return this->Above[axis]; }
 
   float HalfArea() const
   {
-    const float x = this->Ends[0] + this->Ends[4];
-    const float y = this->Ends[1] + this->Ends[5];
-    const float z = this->Ends[2] + this->Ends[6];
-    return x * y + y * z + z * x;
-  }
-
-private:
-  void Grow(const float (&ends)[8])
-  {
-    for (int i = 0; i < 8; ++i)
-    {
-      this->Ends[i] = this->Ends[i] > ends[i] ? this->Ends[i] : ends[i];
-    }
+    const Float4 size = this->Below + this->Above;
+    return size[0] * size[1] + size[1] * size[2] + size[2] * size[0];
   }
 };
 
@@ -93,8 +106,8 @@ struct SahBinning
 {
   static constexpr float Least = 1e-30f; ///< extent, so that its inverse is finite
 
-  float Low[3];
-  float Scale[3];
+  Float4 Low = {};
+  Float4 Scale = {};
 
   SahBinning(const FloatBox& centers, int bins)
   {
@@ -117,11 +130,12 @@ struct SahBinning
   {
     for (; first != last; ++first)
     {
+      const Float4 scaled = (first->Vector() - this->Low) * this->Scale;
+      const Int4 bin = __builtin_convertvector(scaled, Int4);
       for (int axis = 0; axis < 3; ++axis)
       {
-        const int bin = this->BinOf(*first, axis);
-        bins.Boxes[axis][bin].Add(*first);
-        ++bins.Counts[axis][bin];
+        bins.Boxes[axis][bin[axis]].Add(*first);
+        ++bins.Counts[axis][bin[axis]];
       }
     }
   }
