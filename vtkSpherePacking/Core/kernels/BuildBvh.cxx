@@ -63,20 +63,28 @@ void SetBox(BvhNode& node, int child, const FloatBox& box)
   }
 }
 
-std::uint32_t AddLeaf(
-  const BuildSpheres& build, const BuildRange& range, std::vector<BvhLeaf>& leaves)
+std::uint32_t AddLeaf(const SphereArrays& spheres, bool exact, const BuildSpheres& build,
+  const BuildRange& range, std::vector<BvhLeaf>& leaves)
 {
   BvhLeaf leaf;
   for (int i = 0; i < BvhLeaf::Width; ++i)
   {
     const bool there = i < range.Count;
-    const BuildSphere& sphere = build.Spheres[range.First + (there ? i : 0)];
+    const std::int64_t at = range.First + (there ? i : 0);
+    BuildSphere sphere = build.Spheres[at];
+    if (exact)
+    {
+      const Sphere own = spheres[build.Ids[at]];
+      sphere = { { static_cast<float>(own.X), static_cast<float>(own.Y),
+                   static_cast<float>(own.Z) },
+        static_cast<float>(own.R) };
+    }
     for (int axis = 0; axis < 3; ++axis)
     {
       leaf.Center[axis][i] = sphere.X[axis];
     }
     leaf.Radius[i] = there ? sphere.R : FloatBox::Empty;
-    leaf.Ids[i] = there ? build.Ids[range.First + i] : -1;
+    leaf.Ids[i] = there ? build.Ids[at] : -1;
   }
   leaves.push_back(leaf);
   return static_cast<std::uint32_t>(leaves.size() - 1) | BvhChild::LeafBit;
@@ -97,6 +105,8 @@ struct Part
   std::vector<BvhNode> Nodes;
   std::vector<BvhLeaf> Leaves;
   std::vector<Rest> Rests;
+  const SphereArrays* Spheres;
+  bool Exact;
 
   // Adds a node for the range and below it all that is needed, but for what is small enough to be
   // left to others.
@@ -116,7 +126,8 @@ struct Part
       }
       if (child.Count <= LeafSize)
       {
-        this->Nodes[index].Children[i] = AddLeaf(build, child, this->Leaves);
+        this->Nodes[index].Children[i] =
+          AddLeaf(*this->Spheres, this->Exact, build, child, this->Leaves);
       }
       else if (child.Count <= leave)
       {
@@ -156,14 +167,26 @@ Bvh BuildBvh(const SphereArrays& spheres, const ParallelFor& parallelFor)
   Bvh bvh;
   std::copy(build.Center, build.Center + 3, bvh.Center);
   bvh.Scale = build.Scale;
+  const float leafScale = static_cast<float>(build.Scale);
+  bvh.Exact = spheres.Single() && leafScale > 1e-30f && leafScale < 1e30f;
+  bvh.LeafScale = bvh.Exact ? leafScale : 1.0f;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    bvh.LeafCenter[axis] = bvh.Exact ? static_cast<float>(build.Center[axis]) : 0.0f;
+  }
   const BuildRange all = build.All();
   if (all.Count == 0)
   {
     return bvh;
   }
   Part top;
+  top.Spheres = &spheres;
+  top.Exact = bvh.Exact;
   top.Add(build, all, SubtreeSize, 0);
-  std::vector<Part> parts(top.Rests.size());
+  Part none;
+  none.Spheres = &spheres;
+  none.Exact = bvh.Exact;
+  std::vector<Part> parts(top.Rests.size(), none);
   parallelFor(static_cast<std::int64_t>(parts.size()),
     [&](std::int64_t i) { parts[i].Add(build, top.Rests[i].Range, 0, top.Rests[i].Depth); });
   std::size_t nodes = top.Nodes.size();
@@ -182,7 +205,7 @@ Bvh BuildBvh(const SphereArrays& spheres, const ParallelFor& parallelFor)
   for (std::size_t i = 0; i < parts.size(); ++i)
   {
     Append(bvh, top.Rests[i], parts[i]);
-    parts[i] = {};
+    parts[i] = none;
   }
   return bvh;
 }

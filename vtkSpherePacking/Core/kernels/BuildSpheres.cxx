@@ -94,16 +94,21 @@ void BuildSpheres::Scene(const SphereArrays& spheres)
       all.Values[k] = std::max(all.Values[k], part.Values[k]);
     }
   }
-  double half = 0.0;
+  double reach = 0.0;
   for (int axis = 0; axis < 3; ++axis)
   {
     const double low = -all.Values[axis];
     const double high = all.Values[3 + axis];
-    this->Center[axis] = spheres.Count == 0 ? 0.0 : low + 0.5 * (high - low);
-    half = spheres.Count == 0 ? 0.0 : std::max(half, 0.5 * (high - low));
+    const double middle = spheres.Count == 0 ? 0.0 : low + 0.5 * (high - low);
+    this->Center[axis] = spheres.Single() ? static_cast<float>(middle) : middle;
+    reach = spheres.Count == 0
+      ? 0.0
+      : std::max({ reach, high - this->Center[axis], this->Center[axis] - low });
   }
   // The inverse of a denormal number may be infinite.
-  this->Scale = half >= std::numeric_limits<double>::min() ? 1.0 / half : 1.0;
+  this->Scale = reach >= std::numeric_limits<double>::min()
+    ? std::ldexp(1.0, -static_cast<int>(std::ceil(std::log2(reach))))
+    : 1.0;
 }
 
 //------------------------------------------------------------------------------

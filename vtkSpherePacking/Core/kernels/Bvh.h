@@ -8,6 +8,8 @@
 #ifndef Bvh_h
 #define Bvh_h
 
+#include "kernels/Sphere.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -31,6 +33,11 @@ struct alignas(32) BvhLeaf
   float Center[3][Width];
   float Radius[Width]; ///< far below 0 where there is no sphere
   std::int32_t Ids[Width];
+
+  Sphere At(int i) const
+  {
+    return { this->Center[0][i], this->Center[1][i], this->Center[2][i], this->Radius[i] };
+  }
 };
 
 /// What a node says of a child: the index of a node or of a leaf. The root is no child, so 0 says
@@ -47,8 +54,29 @@ struct Bvh
 {
   std::vector<BvhNode> Nodes; ///< the first one is the root; none without spheres
   std::vector<BvhLeaf> Leaves;
-  double Center[3]; ///< of the scene's box
-  double Scale;     ///< a point p has the coordinates (p - Center) Scale
+  double Center[3]; ///< about the middle of the scene's box
+  double Scale;     ///< a point p has the coordinates (p - Center) Scale; a power of two
+
+  /// Whether leaves hold the packing's own numbers. Their coordinates are (p - LeafCenter)
+  /// LeafScale in either case.
+  bool Exact;
+  float LeafCenter[3];
+  float LeafScale;
+
+  /// Says that a child will be visited.
+  void Prefetch(std::uint32_t child) const
+  {
+    const bool leaf = BvhChild::IsLeaf(child);
+    const std::uint32_t index = BvhChild::Index(child);
+    const char* begin = leaf ? reinterpret_cast<const char*>(&this->Leaves[index])
+                             : reinterpret_cast<const char*>(&this->Nodes[index]);
+    const std::size_t length = leaf ? sizeof(BvhLeaf) : sizeof(BvhNode);
+    constexpr std::size_t line = 64;
+    for (std::size_t at = 0; at < length; at += line)
+    {
+      __builtin_prefetch(begin + at);
+    }
+  }
 
   std::size_t Bytes() const
   {

@@ -29,7 +29,7 @@ public:
     this->AddSide(1, high, alongY, middle, bvh);
     this->AddSide(2, low, alongX, middle, bvh);
     this->AddSide(3, high, alongX, middle, bvh);
-    this->Add(Ahead, screen.Depth(), middle.O, bvh);
+    this->Add(Ahead, screen.Z, middle.O, bvh);
     this->PerDepth = bvh.Scale / this->Length;
   }
 
@@ -53,20 +53,6 @@ public:
     return ~Bits(outside | (nearest > last)) & 0xffu;
   }
 
-  /// The same for the spheres of a leaf.
-  unsigned Test(const BvhLeaf& leaf, float (&depth)[BvhLeaf::Width], float last) const
-  {
-    const Float8 radius = Load<Float8>(leaf.Radius);
-    Int8 outside = {};
-    for (int plane = 0; plane < Planes; ++plane)
-    {
-      outside |= this->Centers(plane, leaf) + (this->D[plane] + radius) < 0.0f;
-    }
-    const Float8 nearest = this->Centers(Ahead, leaf) + (this->NearD - radius);
-    Store(nearest, depth);
-    return ~Bits(outside | (nearest > last)) & 0xffu;
-  }
-
 private:
   static constexpr int Ahead = 4;
   static constexpr int Planes = 5;
@@ -79,17 +65,6 @@ private:
     {
       const float n = this->N[plane][axis];
       sum += n * Load<Float8>((n > 0.0f) == farthest ? node.High[axis] : node.Low[axis]);
-    }
-    return sum;
-  }
-
-  // The same of the spheres' centres.
-  Float8 Centers(int plane, const BvhLeaf& leaf) const
-  {
-    Float8 sum = {};
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      sum += this->N[plane][axis] * Load<Float8>(leaf.Center[axis]);
     }
     return sum;
   }

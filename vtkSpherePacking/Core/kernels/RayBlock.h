@@ -18,8 +18,6 @@ struct BlockPart
   int X1 = 7;
   int Y0 = 0;
   int Y1 = 7;
-
-  bool Empty() const { return this->X0 > this->X1 || this->Y0 > this->Y1; }
 };
 
 struct RayBlock
@@ -65,17 +63,6 @@ struct RayBlock
   Ray RayAt(int i) const
   {
     return { { this->OX[i], this->OY[i], this->OZ[i] }, { this->DX[i], this->DY[i], this->DZ[i] } };
-  }
-
-  /// The rays inside `bounds`.
-  BlockPart PartOf(const ScreenBounds& bounds) const
-  {
-    BlockPart part;
-    part.X0 = static_cast<int>(std::ceil(std::max(bounds.X0 - this->X0, 0.0)));
-    part.X1 = static_cast<int>(std::floor(std::min(bounds.X1 - this->X0, Side - 1.0)));
-    part.Y0 = static_cast<int>(std::ceil(std::max(bounds.Y0 - this->Y0, 0.0)));
-    part.Y1 = static_cast<int>(std::floor(std::min(bounds.Y1 - this->Y0, Side - 1.0)));
-    return part;
   }
 
   /// Tests a sphere against the rays of `part`, and some beside them.

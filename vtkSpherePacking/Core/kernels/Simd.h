@@ -57,6 +57,19 @@ inline unsigned Bits(const Int8& mask)
 #endif
 }
 
+inline Float8 Sqrt(const Float8& x)
+{
+#if defined(__AVX__)
+  return _mm256_sqrt_ps(x);
+#else
+  Float8 result;
+  for (int i = 0; i < 8; ++i)
+  {
+    result[i] = std::sqrt(x[i]);
+  }
+  return result;
+#endif
+}
 inline Double4 Sqrt(const Double4& x)
 {
 #if defined(__AVX__)

@@ -18,6 +18,8 @@ struct SphereArrays
   const float* FloatRadii = nullptr;
   const double* DoubleRadii = nullptr;
 
+  bool Single() const { return this->FloatCenters && this->FloatRadii; }
+
   /// Says that sphere i will be asked for.
   void Prefetch(std::int64_t i) const
   {

@@ -3,6 +3,7 @@
 #ifndef TraceBvh_h
 #define TraceBvh_h
 
+#include "kernels/BlockScreen.h"
 #include "kernels/Frustum.h"
 #include "kernels/SphereArrays.h"
 
@@ -49,9 +50,9 @@ public:
     const Screen& screen, RayBlock& block)
     : Hierarchy(bvh)
     , Spheres(spheres)
-    , Projection(screen)
     , Block(block)
     , View(rays, screen, block, bvh)
+    , Places(rays, screen, block, bvh)
   {
   }
 
@@ -78,7 +79,12 @@ public:
       }
       const BvhNode& node = this->Hierarchy.Nodes[entry.Child];
       float depth[BvhNode::Width];
-      stack.Push(node, this->View.Test(node, depth, this->ScaledLast), depth);
+      const unsigned seen = this->View.Test(node, depth, this->ScaledLast);
+      for (unsigned bits = seen; bits != 0; bits &= bits - 1)
+      {
+        this->Hierarchy.Prefetch(node.Children[__builtin_ctz(bits)]);
+      }
+      stack.Push(node, seen, depth);
     }
   }
 
@@ -91,23 +97,19 @@ private:
 
   void Offer(const BvhLeaf& leaf)
   {
-    float depth[BvhLeaf::Width];
-    unsigned seen = this->View.Test(leaf, depth, this->ScaledLast);
-    for (unsigned bits = seen; bits != 0; bits &= bits - 1)
+    LeafParts parts;
+    unsigned seen = this->Places.Test(this->Hierarchy, leaf, this->ScaledLast, parts);
+    const bool exact = this->Hierarchy.Exact;
+    for (unsigned bits = exact ? 0u : seen; bits != 0; bits &= bits - 1)
     {
       this->Spheres.Prefetch(leaf.Ids[__builtin_ctz(bits)]);
     }
-    bool offered = false;
+    const bool offered = seen != 0;
     for (; seen != 0; seen &= seen - 1)
     {
       const int i = __builtin_ctz(seen);
-      const Sphere sphere = this->Spheres[leaf.Ids[i]];
-      const BlockPart part = this->Block.PartOf(this->Projection.Of(sphere));
-      if (!part.Empty())
-      {
-        this->Block.Offer(sphere, leaf.Ids[i], part);
-        offered = true;
-      }
+      const Sphere sphere = exact ? leaf.At(i) : this->Spheres[leaf.Ids[i]];
+      this->Block.Offer(sphere, leaf.Ids[i], parts.Of(i));
     }
     if (offered)
     {
@@ -117,9 +119,9 @@ private:
 
   const Bvh& Hierarchy;
   const SphereArrays& Spheres;
-  const Screen& Projection;
   RayBlock& Block;
   const Frustum View;
+  const BlockScreen Places;
   double Last;
   float ScaledLast;
 };

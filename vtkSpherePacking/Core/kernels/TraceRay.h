@@ -78,13 +78,14 @@ public:
   }
 
   /// Which of the spheres of a leaf the line may hit.
-  unsigned Test(const BvhLeaf& leaf) const
+  unsigned Test(const Bvh& bvh, const BvhLeaf& leaf) const
   {
     Float8 f[3];
     Float8 middle = Float8{};
     for (int axis = 0; axis < 3; ++axis)
     {
-      f[axis] = Load<Float8>(leaf.Center[axis]) - this->O[axis];
+      f[axis] =
+        (Load<Float8>(leaf.Center[axis]) - bvh.LeafCenter[axis]) * bvh.LeafScale - this->O[axis];
       middle += f[axis] * this->D[axis];
     }
     middle *= this->InverseSquare;
@@ -94,7 +95,7 @@ public:
       const Float8 l = f[axis] - middle * this->D[axis];
       square += l * l;
     }
-    const Float8 reach = Load<Float8>(leaf.Radius) + Margin;
+    const Float8 reach = Load<Float8>(leaf.Radius) * bvh.LeafScale + Margin;
     return Bits((reach > 0.0f) & (square <= reach * reach * (1.0f + 1e-6f)));
   }
 
@@ -138,10 +139,11 @@ inline Hit FirstHit(const Bvh& bvh, const SphereArrays& spheres, const Ray& ray)
       continue;
     }
     const BvhLeaf& leaf = bvh.Leaves[BvhChild::Index(entry.Child)];
-    for (unsigned seen = line.Test(leaf); seen != 0; seen &= seen - 1)
+    for (unsigned seen = line.Test(bvh, leaf); seen != 0; seen &= seen - 1)
     {
-      const std::int32_t id = leaf.Ids[__builtin_ctz(seen)];
-      hit.Offer(HitSphere(ray, spheres[id], inverseSquare), id);
+      const int i = __builtin_ctz(seen);
+      const Sphere sphere = bvh.Exact ? leaf.At(i) : spheres[leaf.Ids[i]];
+      hit.Offer(HitSphere(ray, sphere, inverseSquare), leaf.Ids[i]);
     }
     last = line.Scaled(hit.T);
   }

@@ -31,6 +31,13 @@ struct BlockSurface
 
   void Find(const RayBlock& block, const SphereArrays& spheres, const Vector& toEye)
   {
+    for (const std::int64_t id : block.Id)
+    {
+      if (id >= 0)
+      {
+        spheres.Prefetch(id);
+      }
+    }
     for (int first = 0; first < RayBlock::Count; first += RayBlock::Lanes)
     {
       Double4 center[3] = {};
