@@ -12,6 +12,15 @@
 
 namespace spherepacking
 {
+namespace
+{
+void* AllocateAligned(std::size_t length)
+{
+  constexpr std::size_t line = 64;
+  return std::aligned_alloc(line, (length + line - 1) / line * line);
+}
+}
+
 #ifdef __linux__
 //------------------------------------------------------------------------------
 void AdviseHugePages(void* memory, std::size_t length)
@@ -33,7 +42,7 @@ void* AllocateHugePages(std::size_t length)
   constexpr std::size_t page = 2 << 20;
   if (length < page)
   {
-    return std::malloc(length);
+    return AllocateAligned(length);
   }
   const std::size_t whole = (length + page - 1) / page * page;
   void* memory = std::aligned_alloc(page, whole);
@@ -50,7 +59,7 @@ void AdviseHugePages(void*, std::size_t) {}
 //------------------------------------------------------------------------------
 void* AllocateHugePages(std::size_t length)
 {
-  return std::malloc(length);
+  return AllocateAligned(length);
 }
 #endif
 }

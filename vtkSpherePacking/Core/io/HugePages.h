@@ -13,8 +13,8 @@ namespace spherepacking
  */
 void AdviseHugePages(void* memory, std::size_t length);
 
-/// Memory for std::free(), from the begin to the end on large pages where there are any; null when
-/// there is not enough.
+/// Memory for std::free(), aligned to 64 bytes, from the begin to the end on large pages where
+/// there are any; null when there is not enough.
 void* AllocateHugePages(std::size_t length);
 }
 

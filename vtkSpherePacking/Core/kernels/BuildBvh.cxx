@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "kernels/BuildBvh.h"
 
-#include "io/HugePages.h"
-
 #include "kernels/BuildSpheres.h"
 
 namespace spherepacking
@@ -113,6 +111,7 @@ struct Part
   void Add(BuildSpheres& build, const BuildRange& range, std::int64_t leave, int depth)
   {
     const NodeRanges children = ChildrenOf(build, range, depth);
+    this->PrefetchLeaves(build, children);
     const std::uint32_t index = static_cast<std::uint32_t>(this->Nodes.size());
     this->Nodes.emplace_back();
     for (int i = 0; i < BvhNode::Width; ++i)
@@ -140,23 +139,60 @@ struct Part
       }
     }
   }
+
+private:
+  // Neighbours in a leaf are strangers in the packing.
+  void PrefetchLeaves(const BuildSpheres& build, const NodeRanges& children) const
+  {
+    for (const BuildRange& child : children.Ranges)
+    {
+      for (std::int64_t i = 0; this->Exact && child.Count <= LeafSize && i < child.Count; ++i)
+      {
+        this->Spheres->Prefetch(build.Ids[child.First + i]);
+      }
+    }
+  }
 };
 
-// Puts a part in the place that was left for it.
-void Append(Bvh& bvh, const Rest& rest, const Part& part)
+// Copies a part to its place among all nodes and leaves.
+void Place(const Part& part, std::uint32_t node, std::uint32_t leaf, Bvh& bvh)
 {
-  const std::uint32_t nodes = static_cast<std::uint32_t>(bvh.Nodes.size());
-  const std::uint32_t leaves = static_cast<std::uint32_t>(bvh.Leaves.size());
-  bvh.Nodes[rest.Node].Children[rest.Child] = nodes;
-  for (BvhNode node : part.Nodes)
+  for (std::size_t i = 0; i < part.Nodes.size(); ++i)
   {
-    for (std::uint32_t& child : node.Children)
+    BvhNode& copy = bvh.Nodes[node + i];
+    copy = part.Nodes[i];
+    for (std::uint32_t& child : copy.Children)
     {
-      child += BvhChild::IsLeaf(child) ? leaves : child == 0 ? 0 : nodes;
+      child += BvhChild::IsLeaf(child) ? leaf : child == 0 ? 0 : node;
     }
-    bvh.Nodes.push_back(node);
   }
-  bvh.Leaves.insert(bvh.Leaves.end(), part.Leaves.begin(), part.Leaves.end());
+  std::copy(part.Leaves.begin(), part.Leaves.end(), bvh.Leaves.data() + leaf);
+}
+
+// Puts all parts, of which the first refers to the others, into one hierarchy.
+void Join(std::vector<Part>& parts, const ParallelFor& parallelFor, Bvh& bvh)
+{
+  std::vector<std::uint32_t> nodes(1, 0);
+  std::vector<std::uint32_t> leaves(1, 0);
+  for (const Part& part : parts)
+  {
+    nodes.push_back(nodes.back() + static_cast<std::uint32_t>(part.Nodes.size()));
+    leaves.push_back(leaves.back() + static_cast<std::uint32_t>(part.Leaves.size()));
+  }
+  for (std::size_t i = 1; i < parts.size(); ++i)
+  {
+    const Rest& rest = parts[0].Rests[i - 1];
+    parts[0].Nodes[rest.Node].Children[rest.Child] = nodes[i];
+  }
+  bvh.Nodes = HugeArray<BvhNode>(nodes.back());
+  bvh.Leaves = HugeArray<BvhLeaf>(leaves.back());
+  parallelFor(static_cast<std::int64_t>(parts.size()),
+    [&](std::int64_t i)
+    {
+      Place(parts[i], nodes[i], leaves[i], bvh);
+      parts[i].Nodes = {};
+      parts[i].Leaves = {};
+    });
 }
 }
 
@@ -179,34 +215,21 @@ Bvh BuildBvh(const SphereArrays& spheres, const ParallelFor& parallelFor)
   {
     return bvh;
   }
-  Part top;
-  top.Spheres = &spheres;
-  top.Exact = bvh.Exact;
-  top.Add(build, all, SubtreeSize, 0);
   Part none;
   none.Spheres = &spheres;
   none.Exact = bvh.Exact;
-  std::vector<Part> parts(top.Rests.size(), none);
-  parallelFor(static_cast<std::int64_t>(parts.size()),
-    [&](std::int64_t i) { parts[i].Add(build, top.Rests[i].Range, 0, top.Rests[i].Depth); });
-  std::size_t nodes = top.Nodes.size();
-  std::size_t leaves = top.Leaves.size();
-  for (const Part& part : parts)
-  {
-    nodes += part.Nodes.size();
-    leaves += part.Leaves.size();
-  }
-  bvh.Nodes.reserve(nodes);
-  bvh.Leaves.reserve(leaves);
-  AdviseHugePages(bvh.Nodes.data(), nodes * sizeof(BvhNode));
-  AdviseHugePages(bvh.Leaves.data(), leaves * sizeof(BvhLeaf));
-  bvh.Nodes = top.Nodes;
-  bvh.Leaves = top.Leaves;
-  for (std::size_t i = 0; i < parts.size(); ++i)
-  {
-    Append(bvh, top.Rests[i], parts[i]);
-    parts[i] = none;
-  }
+  std::vector<Part> parts(1, none);
+  parts[0].Add(build, all, SubtreeSize, 0);
+  parts.resize(1 + parts[0].Rests.size(), none);
+  parallelFor(static_cast<std::int64_t>(parts[0].Rests.size()),
+    [&](std::int64_t i)
+    {
+      const Rest& rest = parts[0].Rests[i];
+      parts[i + 1].Leaves.reserve(rest.Range.Count / 5);
+      parts[i + 1].Nodes.reserve(rest.Range.Count / 16);
+      parts[i + 1].Add(build, rest.Range, 0, rest.Depth);
+    });
+  Join(parts, parallelFor, bvh);
   return bvh;
 }
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "kernels/BuildSpheres.h"
 
-#include "io/HugePages.h"
-
 #include <cmath>
 
 namespace spherepacking
@@ -26,29 +24,20 @@ BuildSpheres::BuildSpheres(
   : For(parallelFor)
 {
   this->Scene(spheres);
-  const std::int64_t count = spheres.Count;
-  this->Ids.reserve(spheres.Count);
-  AdviseHugePages(this->Ids.data(), spheres.Count * sizeof(std::int32_t));
-  for (std::int64_t i = 0; i < count; ++i)
+  this->Ids = HugeArray<std::int32_t>(spheres.Count);
+  this->Count = 0;
+  for (std::int64_t i = 0; i < spheres.Count; ++i)
   {
-    if (spheres[i].R > least)
-    {
-      this->Ids.push_back(static_cast<std::int32_t>(i));
-    }
+    this->Ids[this->Count] = static_cast<std::int32_t>(i);
+    this->Count += spheres[i].R > least;
   }
-  this->Spheres.reserve(this->Ids.size());
-  AdviseHugePages(this->Spheres.data(), this->Ids.size() * sizeof(BuildSphere));
-  this->Spheres.resize(this->Ids.size());
-  this->Aside.reserve(this->Ids.size());
-  AdviseHugePages(this->Aside.data(), this->Ids.size() * sizeof(BuildSphere));
-  this->Aside.resize(this->Ids.size());
-  this->IdsAside.resize(this->Ids.size());
-  this->For(ChunksOf(static_cast<std::int64_t>(this->Ids.size())),
+  this->Spheres = HugeArray<BuildSphere>(this->Count);
+  this->Aside = HugeArray<BuildSphere>(this->Count);
+  this->IdsAside = HugeArray<std::int32_t>(this->Count);
+  this->For(ChunksOf(this->Count),
     [&](std::int64_t chunk)
     {
-      const std::int64_t end =
-        std::min((chunk + 1) * Chunk, static_cast<std::int64_t>(this->Ids.size()));
-      for (std::int64_t i = chunk * Chunk; i < end; ++i)
+      for (std::int64_t i = chunk * Chunk; i < std::min((chunk + 1) * Chunk, this->Count); ++i)
       {
         const Sphere sphere = spheres[this->Ids[i]];
         this->Spheres[i] = { { static_cast<float>((sphere.X - this->Center[0]) * this->Scale),
@@ -115,7 +104,7 @@ void BuildSpheres::Scene(const SphereArrays& spheres)
 BuildRange BuildSpheres::All() const
 {
   BuildRange range;
-  range.Count = static_cast<std::int64_t>(this->Spheres.size());
+  range.Count = this->Count;
   std::vector<BuildRange> parts(ChunksOf(range.Count));
   this->For(static_cast<std::int64_t>(parts.size()),
     [&](std::int64_t chunk)

@@ -4,6 +4,7 @@
 #define BuildSpheres_h
 
 #include "kernels/BuildBvh.h"
+#include "kernels/HugeArray.h"
 #include "kernels/SahSplit.h"
 
 #include <utility>
@@ -25,8 +26,9 @@ public:
   /// Takes those of `spheres` with a radius above `least`, in coordinates from -1 to 1.
   BuildSpheres(const SphereArrays& spheres, double least, const ParallelFor& parallelFor);
 
-  std::vector<BuildSphere> Spheres;
-  std::vector<std::int32_t> Ids;
+  HugeArray<BuildSphere> Spheres;
+  HugeArray<std::int32_t> Ids;
+  std::int64_t Count;
   double Center[3];
   double Scale;
 
@@ -50,8 +52,8 @@ private:
     const SahSplit& split, FloatBox (&centers)[2]);
 
   // Where spheres are put aside, one for each.
-  std::vector<BuildSphere> Aside;
-  std::vector<std::int32_t> IdsAside;
+  HugeArray<BuildSphere> Aside;
+  HugeArray<std::int32_t> IdsAside;
   const ParallelFor& For;
 };
 }

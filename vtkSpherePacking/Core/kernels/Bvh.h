@@ -8,11 +8,11 @@
 #ifndef Bvh_h
 #define Bvh_h
 
+#include "kernels/HugeArray.h"
 #include "kernels/Sphere.h"
 
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 namespace spherepacking
 {
@@ -52,8 +52,8 @@ struct BvhChild
 
 struct Bvh
 {
-  std::vector<BvhNode> Nodes; ///< the first one is the root; none without spheres
-  std::vector<BvhLeaf> Leaves;
+  HugeArray<BvhNode> Nodes; ///< the first one is the root; none without spheres
+  HugeArray<BvhLeaf> Leaves;
   double Center[3]; ///< about the middle of the scene's box
   double Scale;     ///< a point p has the coordinates (p - Center) Scale; a power of two
 
