@@ -1,5 +1,9 @@
 """Pictures of vtkSpherePackingTracer: rays of the camera, structures, tiles, samples, colours."""
 
+import os
+import subprocess
+import sys
+
 import numpy as np
 import pytest
 import pyvista as pv
@@ -363,6 +367,55 @@ def test_a_camera_that_is_not_finite():
         tracer.GetCamera().SetPosition(float("nan"), 0, 0)
 
     assert "camera: found one without a picture" in refusal(spoil)
+
+
+def test_large_spheres_in_small_cells(rng):
+    """A list of all spheres in each of many cells would not fit anywhere."""
+    packing = packing_of(rng.random((20000, 3)), np.full(20000, 10.0))
+    tracer = tracer_of(packing, camera_of((30, 30, 30)), (8, 8), "grid")
+    found = picture(tracer)
+    np.testing.assert_array_equal(
+        found["sphere_id"],
+        picture(tracer_of(packing, camera_of((30, 30, 30)), (8, 8)))["sphere_id"],
+    )
+    assert pv.wrap(tracer.GetOutput()).field_data["memory_bytes"][0] < 1e8
+    tracer.AddObserver("ErrorEvent", lambda *_: None)
+    tracer.GetExecutive().AddObserver("ErrorEvent", lambda *_: None)
+    tracer.SetCuts(600)
+    tracer.Update()
+    assert "more cells than fit in half of the memory" in tracer.GetErrorMessage()
+
+
+ANY_PROCESSOR = """
+import sys
+import numpy as np, pyvista as pv, spherepacking
+packing = spherepacking.apollonian(6)
+pictures = {}
+for structure in ("bvh", "grid"):
+    for scale in (None, 1.3):
+        camera = pv.Camera()
+        camera.position, camera.focal_point, camera.up = (3, 2, 1.5), (0, 0, 0), (0, 0, 1)
+        if scale:
+            camera.parallel_projection, camera.parallel_scale = True, scale
+        image = packing.packing.ray_cast(camera, (200, 150), structure=structure, samples=2)
+        for name in image.point_data:
+            pictures[f"{structure} {scale} {name}"] = np.array(image[name])
+np.savez(sys.argv[1], **pictures)
+"""
+
+
+def test_every_processor_makes_the_same_picture(tmp_path):
+    """With the vectors of this processor and with those that every one has."""
+    made = []
+    for without in ({}, {"SPHEREPACKING_WITHOUT_AVX2": "1"}):
+        path = tmp_path / f"{len(without)}.npz"
+        subprocess.run(
+            [sys.executable, "-c", ANY_PROCESSOR, path], env=os.environ | without, check=True
+        )
+        made.append(np.load(path))
+    assert len(made[0].files) == 16
+    for name in made[0].files:
+        np.testing.assert_array_equal(made[0][name], made[1][name], err_msg=name)
 
 
 def test_apollonian_circles_touch(rng):

@@ -54,6 +54,23 @@ spherepacking::Grid GridOf(vtkPolyData* packing, vtkDataArray* radii, std::int64
   return { { { bounds[0], bounds[2], bounds[4] }, { bounds[1], bounds[3], bounds[5] } }, cells };
 }
 
+// Twice as many cells as spheres, or fewer when these are so large that the lists become long.
+spherepacking::Grid SuitableGrid(
+  vtkPolyData* packing, vtkDataArray* radii, const spherepacking::SphereArrays& spheres)
+{
+  const double count = static_cast<double>(spheres.Count);
+  double cells = std::max(1.0, std::ceil(std::cbrt(2.0 * count)));
+  for (;;)
+  {
+    const auto grid = GridOf(packing, radii, static_cast<std::int64_t>(cells));
+    if (cells <= 2.0 || spherepacking::EstimateTouches(grid, spheres) <= 64.0 * count)
+    {
+      return grid;
+    }
+    cells = std::floor(0.7 * cells);
+  }
+}
+
 // Spread evenly by a mixing of the id's bits, and not too dark.
 // Source: Steele, Lea and Flood, "Fast Splittable Pseudorandom Number Generators" (2014).
 void RandomColor(std::uint64_t id, unsigned char* color)
@@ -284,15 +301,17 @@ void vtkSpherePackingTracer::BuildStructure(vtkPolyData* packing, vtkDataArray* 
       throw std::invalid_argument(
         "cuts: found " + std::to_string(this->Cuts) + ", expected 0 or more, or -1");
     }
-    const double cells = this->Cuts < 0
-      ? std::max(1.0, std::ceil(std::cbrt(2.0 * static_cast<double>(spheres.Count))))
-      : this->Cuts + 1.0;
-    if (16.0 * std::pow(cells, 3.0) > vtkSpherePackingHalfOfMemory())
+    const spherepacking::Grid grid = this->Cuts < 0
+      ? SuitableGrid(packing, radii, spheres)
+      : GridOf(packing, radii, static_cast<std::int64_t>(this->Cuts) + 1);
+    const double cells = std::pow(static_cast<double>(grid.Cells), 3.0);
+    const double room = vtkSpherePackingHalfOfMemory();
+    if (16.0 * cells > room || 16.0 * cells + 4.0 * EstimateTouches(grid, spheres) > room)
     {
       throw std::invalid_argument("cuts: found " + std::to_string(this->Cuts) +
-        ", which makes more cells than fit in half of the memory, expected fewer");
+        ", which makes more cells than fit in half of the memory with their spheres, expected "
+        "fewer");
     }
-    const spherepacking::Grid grid = GridOf(packing, radii, static_cast<std::int64_t>(cells));
     kept.Table.reset(
       new GridTable(spherepacking::BuildGrid(grid, spheres, vtkSpherePackingParallelFor())));
   }

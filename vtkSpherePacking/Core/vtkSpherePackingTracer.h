@@ -91,7 +91,7 @@ public:
 
   /**
    * How often the grid cuts each axis, 0 or more, or -1, the default, for twice as many cells as
-   * spheres. Other numbers, and more cells than fit in half of the memory, are an error when the
+   * spheres, fewer when spheres overlap so much that cells hold dozens. Other numbers, and more cells than fit in half of the memory with their spheres, are an error when the
    * filter runs.
    */
   vtkSetMacro(Cuts, int);

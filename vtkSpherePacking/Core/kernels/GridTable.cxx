@@ -46,6 +46,30 @@ CellCounts CountTouches(
 }
 
 //------------------------------------------------------------------------------
+double EstimateTouches(const Grid& grid, const SphereArrays& spheres)
+{
+  const double cells = static_cast<double>(grid.Cells);
+  double perLength[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double extent = grid.Bounds.High[axis] - grid.Bounds.Low[axis];
+    perLength[axis] = extent > 0.0 ? cells / extent : 0.0;
+  }
+  double sum = 0.0;
+  for (std::int64_t i = 0; i < spheres.Count; ++i)
+  {
+    double touched = 1.0;
+    for (const double scale : perLength)
+    {
+      // Where all lies in a plane, that belongs to every cell across it.
+      touched *= scale > 0.0 ? std::min(cells, 2.0 * spheres[i].R * scale + 2.0) : cells;
+    }
+    sum += touched;
+  }
+  return sum;
+}
+
+//------------------------------------------------------------------------------
 GridTable BuildGrid(const Grid& grid, const SphereArrays& spheres, const ParallelFor& parallelFor)
 {
   double extent = 0.0;

@@ -18,6 +18,9 @@ using CellCounts = std::unique_ptr<std::atomic<std::int32_t>[]>;
 CellCounts CountTouches(
   const Grid& grid, const SphereArrays& spheres, double margin, const ParallelFor& parallelFor);
 
+/// At least as many as CountTouches() adds up to, from the boxes around the spheres.
+double EstimateTouches(const Grid& grid, const SphereArrays& spheres);
+
 struct GridTable
 {
   Grid Cells;

@@ -3,6 +3,8 @@
 
 #if defined(SPHEREPACKING_HAS_AVX2)
 #include "kernels/TraceTileAvx2.h"
+
+#include <cstdlib>
 #endif
 
 namespace spherepacking
@@ -12,7 +14,9 @@ namespace
 bool HasAvx2()
 {
 #if defined(SPHEREPACKING_HAS_AVX2)
-  static const bool has = __builtin_cpu_supports("avx2");
+  // The variable is for tests, which compare both.
+  static const bool has =
+    __builtin_cpu_supports("avx2") && !std::getenv("SPHEREPACKING_WITHOUT_AVX2");
   return has;
 #else
   return false;
