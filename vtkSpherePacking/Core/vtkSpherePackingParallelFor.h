@@ -7,16 +7,23 @@
 
 #include "vtkSMPTools.h"
 
+#include <algorithm>
+#include <atomic>
+
 VTK_ABI_NAMESPACE_BEGIN
-// One piece of work at a time, since some take longer than others.
+// Each thread takes the next piece of work when it has done one. vtkSMPTools may share the pieces
+// out beforehand, and then waits for whichever thread is the slowest.
 inline spherepacking::ParallelFor vtkSpherePackingParallelFor()
 {
   return [](std::int64_t count, const std::function<void(std::int64_t)>& work)
   {
-    vtkSMPTools::For(0, static_cast<vtkIdType>(count), 1,
-      [&work](vtkIdType first, vtkIdType last)
+    std::atomic<std::int64_t> next{ 0 };
+    const vtkIdType threads =
+      std::min<std::int64_t>(count, std::max(1, vtkSMPTools::GetEstimatedNumberOfThreads()));
+    vtkSMPTools::For(0, threads, 1,
+      [&](vtkIdType, vtkIdType)
       {
-        for (vtkIdType i = first; i < last; ++i)
+        for (std::int64_t i = next++; i < count; i = next++)
         {
           work(i);
         }

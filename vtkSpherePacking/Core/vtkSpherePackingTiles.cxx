@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSpherePackingTiles.h"
 
-#include "vtkSMPTools.h"
+#include "vtkSpherePackingParallelFor.h"
 
 #include <algorithm>
 #include <atomic>
@@ -81,10 +81,10 @@ std::vector<spherepacking::Tile> vtkSpherePackingTiles::Run(
   const std::future<void> makers = std::async(std::launch::async,
     [&]
     {
-      vtkSMPTools::For(0, static_cast<vtkIdType>(this->Tiles.size()), 1,
-        [&](vtkIdType first, vtkIdType last)
+      vtkSpherePackingParallelFor()(static_cast<std::int64_t>(this->Tiles.size()),
+        [&](std::int64_t i)
         {
-          for (vtkIdType i = first; i < last && !stop; ++i)
+          if (!stop)
           {
             begun[i] = Clock::now();
             make(this->Tiles[i]);

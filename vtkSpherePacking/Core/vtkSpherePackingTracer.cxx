@@ -32,6 +32,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
 
 vtkStandardNewMacro(vtkSpherePackingTracer);
@@ -322,6 +323,29 @@ void vtkSpherePackingTracer::FindColors(vtkPolyData* packing)
 {
   const vtkIdType count = packing->GetNumberOfPoints();
   std::vector<unsigned char>& colors = this->Internals->Colors;
+  std::ostringstream state;
+  vtkAbstractArray* array = packing->GetPointData()->GetAbstractArray(this->ColorArrayName.c_str());
+  state << count << ' ' << this->RandomColors << ' ' << array << ' '
+        << (array ? array->GetMTime() : 0) << ' ' << this->LookupTable.Get() << ' '
+        << (this->LookupTable ? this->LookupTable->GetMTime() : 0) << std::hexfloat;
+  for (const double share : this->Color)
+  {
+    state << ' ' << share;
+  }
+  if (this->Internals->ColorState == state.str())
+  {
+    return;
+  }
+  this->Internals->ColorState.clear();
+  this->MapColors(packing, array, colors);
+  this->Internals->ColorState = state.str();
+}
+
+//------------------------------------------------------------------------------
+void vtkSpherePackingTracer::MapColors(
+  vtkPolyData* packing, vtkAbstractArray* scalars, std::vector<unsigned char>& colors) const
+{
+  const vtkIdType count = packing->GetNumberOfPoints();
   colors.resize(4 * count);
   if (this->RandomColors)
   {
@@ -346,8 +370,6 @@ void vtkSpherePackingTracer::FindColors(vtkPolyData* packing)
     }
     return;
   }
-  vtkAbstractArray* scalars =
-    packing->GetPointData()->GetAbstractArray(this->ColorArrayName.c_str());
   if (!scalars || scalars->GetNumberOfTuples() != count)
   {
     throw std::invalid_argument("scalars: the packing has no point array '" + this->ColorArrayName +

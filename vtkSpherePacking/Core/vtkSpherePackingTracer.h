@@ -41,7 +41,9 @@
 
 #include <memory> // for std::unique_ptr
 #include <string> // for std::string
+#include <vector> // for colours
 
+class vtkAbstractArray;
 class vtkCamera;
 class vtkPolyData;
 class vtkScalarsToColors;
@@ -91,8 +93,8 @@ public:
 
   /**
    * How often the grid cuts each axis, 0 or more, or -1, the default, for twice as many cells as
-   * spheres, fewer when spheres overlap so much that cells hold dozens. Other numbers, and more cells than fit in half of the memory with their spheres, are an error when the
-   * filter runs.
+   * spheres, fewer when spheres overlap so much that cells hold dozens. Other numbers, and more
+   * cells than fit in half of the memory with their spheres, are an error when the filter runs.
    */
   vtkSetMacro(Cuts, int);
   vtkGetMacro(Cuts, int);
@@ -181,6 +183,8 @@ private:
   void Prepare(vtkPolyData* packing);
   void BuildStructure(vtkPolyData* packing, vtkDataArray* radii);
   void FindColors(vtkPolyData* packing);
+  void MapColors(
+    vtkPolyData* packing, vtkAbstractArray* scalars, std::vector<unsigned char>& colors) const;
   void SetRays(vtkSpherePackingCameraRays& camera);
   void Trace(vtkImageData* output);
   vtkIdType Cast(const spherepacking::Ray& ray, double& t, double normal[3]);

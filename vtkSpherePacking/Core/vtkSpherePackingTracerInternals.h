@@ -11,6 +11,7 @@
 #include "vtkType.h"
 
 #include <memory>
+#include <string>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -29,6 +30,7 @@ struct vtkSpherePackingTracerInternals
   std::unique_ptr<spherepacking::Bvh> Hierarchy;
   std::unique_ptr<spherepacking::GridTable> Table;
   std::vector<unsigned char> Colors; // RGBA a sphere
+  std::string ColorState;            // what they were made of
   double BuildSeconds = 0.0;
 
   double Bytes() const

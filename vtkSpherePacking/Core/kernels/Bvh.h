@@ -78,6 +78,12 @@ struct Bvh
     }
   }
 
+  /// The sphere at a place, that is eight times the leaf and the number in it, if `Exact`.
+  Sphere At(std::uint32_t place) const
+  {
+    return this->Leaves[place / BvhLeaf::Width].At(static_cast<int>(place % BvhLeaf::Width));
+  }
+
   std::size_t Bytes() const
   {
     return this->Nodes.size() * sizeof(BvhNode) + this->Leaves.size() * sizeof(BvhLeaf);

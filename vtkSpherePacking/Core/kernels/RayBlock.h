@@ -35,8 +35,8 @@ struct RayBlock
   alignas(64) double DZ[Count];
   alignas(64) double InverseSquare[Count];
   alignas(64) double T[Count];
-  alignas(64) std::int64_t Id[Count];
-  double X0; ///< of the first ray in the picture
+  alignas(64) std::int64_t Key[Count]; ///< MakeKey() of the sphere, negative for none
+  double X0;                           ///< of the first ray in the picture
   double Y0;
 
   /// Rays through (x0 + i, y0 + j), i and j from 0 to 7.
@@ -56,7 +56,7 @@ struct RayBlock
       this->DZ[i] = ray.D[2];
       this->InverseSquare[i] = spherepacking::InverseSquare(ray);
       this->T[i] = none.T;
-      this->Id[i] = none.Id;
+      this->Key[i] = none.Id;
     }
   }
 
@@ -66,13 +66,13 @@ struct RayBlock
   }
 
   /// Tests a sphere against the rays of `part`, and some beside them.
-  void Offer(const Sphere& sphere, std::int64_t id, const BlockPart& part)
+  void Offer(const Sphere& sphere, std::int64_t key, const BlockPart& part)
   {
     for (int row = part.Y0; row <= part.Y1; ++row)
     {
       for (int quad = part.X0 / Lanes; quad <= part.X1 / Lanes; ++quad)
       {
-        this->OfferLanes(sphere, id, row * Side + quad * Lanes);
+        this->OfferLanes(sphere, key, row * Side + quad * Lanes);
       }
     }
   }
@@ -90,17 +90,17 @@ struct RayBlock
   }
 
 private:
-  void OfferLanes(const Sphere& sphere, std::int64_t id, int first)
+  void OfferLanes(const Sphere& sphere, std::int64_t key, int first)
   {
     const auto load = [first](const double* values) { return Load<Double4>(values + first); };
     const Double4 t = HitSphere<Double4>(sphere.X - load(this->OX), sphere.Y - load(this->OY),
       sphere.Z - load(this->OZ), sphere.R, load(this->DX), load(this->DY), load(this->DZ),
       load(this->InverseSquare));
     const Double4 best = load(this->T);
-    const Long4 bestId = Load<Long4>(this->Id + first);
-    const Long4 closer = (t < best) | ((t == best) & (id < bestId));
+    const Long4 bestKey = Load<Long4>(this->Key + first);
+    const Long4 closer = (t < best) | ((t == best) & (key < bestKey));
     Store(closer ? t : best, this->T + first);
-    Store(closer ? Long4{} + id : bestId, this->Id + first);
+    Store(closer ? Long4{} + key : bestKey, this->Key + first);
   }
 };
 }

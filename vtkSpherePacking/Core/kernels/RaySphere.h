@@ -114,6 +114,20 @@ inline void NormalAt(
 
 }
 
+/// A sphere in the packing and where a structure holds it; ordered by the former.
+inline std::int64_t MakeKey(std::int64_t id, std::uint32_t place)
+{
+  return id * (std::int64_t{ 1 } << 32) + place;
+}
+inline std::int64_t IdOf(std::int64_t key)
+{
+  return key >> 32;
+}
+inline std::uint32_t PlaceOf(std::int64_t key)
+{
+  return static_cast<std::uint32_t>(key);
+}
+
 /// The first hit of a ray. Of two spheres at the same t the one with the lower id counts, so that
 /// the order in which a structure offers them does not matter.
 struct Hit

@@ -74,7 +74,7 @@ public:
       }
       if (BvhChild::IsLeaf(entry.Child))
       {
-        this->Offer(this->Hierarchy.Leaves[BvhChild::Index(entry.Child)]);
+        this->Offer(BvhChild::Index(entry.Child));
         continue;
       }
       const BvhNode& node = this->Hierarchy.Nodes[entry.Child];
@@ -95,8 +95,9 @@ private:
     this->ScaledLast = this->View.ScaledDepth(this->Last);
   }
 
-  void Offer(const BvhLeaf& leaf)
+  void Offer(std::uint32_t index)
   {
+    const BvhLeaf& leaf = this->Hierarchy.Leaves[index];
     LeafParts parts;
     unsigned seen = this->Places.Test(this->Hierarchy, leaf, this->ScaledLast, parts);
     const bool exact = this->Hierarchy.Exact;
@@ -109,7 +110,8 @@ private:
     {
       const int i = __builtin_ctz(seen);
       const Sphere sphere = exact ? leaf.At(i) : this->Spheres[leaf.Ids[i]];
-      this->Block.Offer(sphere, leaf.Ids[i], parts.Of(i));
+      const std::uint32_t place = index * BvhLeaf::Width + static_cast<std::uint32_t>(i);
+      this->Block.Offer(sphere, MakeKey(leaf.Ids[i], place), parts.Of(i));
     }
     if (offered)
     {

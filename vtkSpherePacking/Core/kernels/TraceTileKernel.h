@@ -19,7 +19,7 @@ inline void TraceBlock(const GridTable& table, const SphereArrays& spheres, RayB
   {
     const Hit hit = FirstHit(table, spheres, block.RayAt(i));
     block.T[i] = hit.T;
-    block.Id[i] = hit.Id;
+    block.Key[i] = MakeKey(hit.Id, 0);
   }
 }
 
@@ -29,13 +29,19 @@ struct BlockSurface
   alignas(64) double Normal[3][RayBlock::Count];
   alignas(64) double Brightness[RayBlock::Count];
 
-  void Find(const RayBlock& block, const SphereArrays& spheres, const Vector& toEye)
+  void Find(const RayBlock& block, const Scene& scene, const Vector& toEye)
   {
-    for (const std::int64_t id : block.Id)
+    // Those of the leaves have just been seen.
+    const bool exact = scene.Hierarchy && scene.Hierarchy->Exact;
+    for (const std::int64_t key : block.Key)
     {
-      if (id >= 0)
+      if (key >= 0)
       {
-        spheres.Prefetch(id);
+        __builtin_prefetch(scene.Colors + 4 * IdOf(key));
+        if (!exact)
+        {
+          scene.Spheres.Prefetch(IdOf(key));
+        }
       }
     }
     for (int first = 0; first < RayBlock::Count; first += RayBlock::Lanes)
@@ -44,8 +50,10 @@ struct BlockSurface
       Double4 radius = {};
       for (int k = 0; k < RayBlock::Lanes; ++k)
       {
-        const std::int64_t id = block.Id[first + k];
-        const Sphere sphere = id < 0 ? Sphere{ 0.0, 0.0, 0.0, 1.0 } : spheres[id];
+        const std::int64_t key = block.Key[first + k];
+        const Sphere sphere = key < 0 ? Sphere{ 0.0, 0.0, 0.0, 1.0 }
+          : exact                     ? scene.Hierarchy->At(PlaceOf(key))
+                                      : scene.Spheres[IdOf(key)];
         center[0][k] = sphere.X;
         center[1][k] = sphere.Y;
         center[2][k] = sphere.Z;
@@ -127,7 +135,7 @@ private:
   {
     this->Block.Start(this->Rays, this->X + x, this->Y + y);
     this->Trace(this->Block);
-    this->Surface.Find(this->Block, this->In.Spheres, this->ToEye);
+    this->Surface.Find(this->Block, this->In, this->ToEye);
   }
 
   template <typename Work>
@@ -146,8 +154,8 @@ private:
 
   void Write(int i, std::int64_t pixel)
   {
-    const bool hit = this->Block.Id[i] >= 0;
-    this->Out.Id[pixel] = this->Block.Id[i];
+    const bool hit = this->Block.Key[i] >= 0;
+    this->Out.Id[pixel] = IdOf(this->Block.Key[i]);
     this->Out.Depth[pixel] =
       hit ? static_cast<float>(this->Block.T[i]) : std::numeric_limits<float>::infinity();
     for (int axis = 0; axis < 3; ++axis)
@@ -159,7 +167,7 @@ private:
 
   void Shade(int i, unsigned char* color) const
   {
-    const std::int64_t id = this->Block.Id[i];
+    const std::int64_t id = IdOf(this->Block.Key[i]);
     const double light = this->Surface.Brightness[i];
     for (int channel = 0; channel < 3; ++channel)
     {
