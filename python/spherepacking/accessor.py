@@ -98,6 +98,73 @@ class PackingAccessor:
 
         write(self._packing, path)
 
+    def bvh_boxes(
+        self,
+        boxes: int | None = None,
+        depth: int | None = None,
+        leaves_only: bool = True,
+        *,
+        as_lines: bool = False,
+    ) -> pv.PolyData:
+        """Boxes of a bounding volume hierarchy, each the bounds of its spheres in double precision.
+
+        The spheres are split in two over and over, by the surface-area heuristic over all axes (I.
+        Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies", 2007), so that every
+        sphere lies in exactly one leaf.
+
+        Parameters
+        ----------
+        boxes : int, default: 15
+            How many leaves there are, 1 or more, unless there are fewer spheres. What lowers the
+            cost most is split first.
+        depth : int, optional
+            Instead of `boxes`, the depth down to which every node of more than one sphere is
+            split, 0 for one box around all spheres.
+        leaves_only : bool, default: True
+            The boxes of the leaves, instead of those of all nodes.
+        as_lines : bool, default: False
+            Twelve lines a box instead of six quads.
+
+        Returns
+        -------
+        pyvista.PolyData
+            Six quads (or twelve lines) a box, with the cell arrays ``box_id`` (the node, numbered
+            depth first from 0 for the root), ``depth`` (0 for the root) and ``count`` (spheres in
+            the box). Field arrays: ``build_seconds``, ``memory_bytes``, ``occupied_share`` (volumes
+            of the leaves over that of the root), ``leaf_of_sphere`` (n,), the ``box_id`` of the
+            leaf of every sphere, and ``sah_cost``, the expected number of nodes and spheres that a
+            random ray through the root is tested against (J. Goldsmith and J. Salmon, 1987; J. D.
+            MacDonald and K. S. Booth, 1990). Empty for an empty packing.
+
+        Raises
+        ------
+        KeyError
+            If there is no point array ``radius``.
+        TypeError
+            If `boxes` or `depth` is no integer, or the radii are no real numbers.
+        ValueError
+            If `boxes` is not positive or `depth` negative, if both are given or make more boxes
+            than fit in memory, or if a radius is none.
+
+        Examples
+        --------
+        >>> import spherepacking
+        >>> packing = spherepacking.apollonian(2)
+        >>> packing.packing.bvh_boxes(7).n_cells // 6
+        7
+        """
+        from ._backend import vtkSpherePackingBVH
+
+        if boxes is not None and depth is not None:
+            raise ValueError(f"depth: found {depth!r} beside boxes={boxes!r}, expected one of them")
+        bvh = vtkSpherePackingBVH()
+        if depth is not None:
+            bvh.SetDepth(arguments.count_of("depth", depth, least=0))
+        elif boxes is not None:
+            bvh.SetNumberOfBoxes(arguments.count_of("boxes", boxes))
+        bvh.SetLeavesOnly(leaves_only)
+        return self._boxes_of(bvh, as_lines)
+
     def grid_boxes(self, cuts: int = 6, *, as_lines: bool = False) -> pv.PolyData:
         """Boxes of the cells of a uniform grid that spheres touch.
 
@@ -137,20 +204,24 @@ class PackingAccessor:
         8
         """
         from ._backend import vtkSpherePackingGrid
+
+        grid = vtkSpherePackingGrid()
+        grid.SetCuts(arguments.count_of("cuts", cuts, least=0))
+        return self._boxes_of(grid, as_lines)
+
+    def _boxes_of(self, algorithm: object, as_lines: bool) -> pv.PolyData:
+        """Output of a filter from packings to boxes, or a ValueError with its sentence."""
         from ._errors import ErrorLog
 
-        cuts = arguments.count_of("cuts", cuts, least=0)
         if self.n_spheres:
             arguments.radii_of(self._packing, "radius")
-        grid = vtkSpherePackingGrid()
-        log = ErrorLog(grid)
-        grid.SetInputData(self._packing)
-        grid.SetCuts(cuts)
-        grid.SetBoxesAsLines(as_lines)
-        grid.Update()
+        log = ErrorLog(algorithm)
+        algorithm.SetInputData(self._packing)
+        algorithm.SetBoxesAsLines(as_lines)
+        algorithm.Update()
         if log.messages:
-            raise ValueError(grid.GetErrorMessage() or "\n".join(log.messages))
-        return pv.wrap(grid.GetOutput())
+            raise ValueError(algorithm.GetErrorMessage() or "\n".join(log.messages))
+        return pv.wrap(algorithm.GetOutput())
 
     def ray_cast(
         self,

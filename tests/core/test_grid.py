@@ -4,25 +4,15 @@ import numpy as np
 import pytest
 import pyvista as pv
 from arrays import packing_of
+from boxes import CASES, boxes_of, one_a_box, refusal
 from spherepacking._backend import vtkSpherePackingGrid
-from spherepacking._errors import ErrorLog
 
 
-def boxes_of(packing, cuts, *, lines=False):
+def grid_of(cuts=1, *, lines=False):
     grid = vtkSpherePackingGrid()
-    log = ErrorLog(grid)
-    grid.SetInputData(packing)
     grid.SetCuts(cuts)
     grid.SetBoxesAsLines(lines)
-    grid.Update()
-    assert not log.messages
-    return pv.wrap(grid.GetOutput())
-
-
-def one_a_box(boxes, name, cells=6):
-    values = boxes.cell_data[name].reshape(-1, cells)
-    assert (values == values[:, :1]).all()
-    return values[:, 0]
+    return grid
 
 
 def planes_of(centers, radii, cuts):
@@ -50,7 +40,7 @@ def clearances(centers, radii, cuts):
 
 def check(centers, radii, cuts):
     centers, radii = np.asarray(centers, float), np.asarray(radii, float)
-    boxes = boxes_of(packing_of(centers, radii), cuts)
+    boxes = boxes_of(grid_of(cuts), packing_of(centers, radii))
     found = np.zeros((cuts + 1) ** 3, int)
     found[one_a_box(boxes, "box_id")] = one_a_box(boxes, "count")
     distance = clearances(centers, radii, cuts)
@@ -61,28 +51,6 @@ def check(centers, radii, cuts):
     assert (found >= certain).all()
     assert (found <= possible).all()
     return boxes, found
-
-
-def knot(n):
-    t = np.linspace(0, 2 * np.pi, n, endpoint=False)
-    return np.column_stack([np.cos(t), np.sin(2 * t), np.sin(3 * t)])
-
-
-CASES = {
-    "random": lambda rng: (rng.random((300, 3)), rng.uniform(0.0, 0.1, 300)),
-    "small radii far away": lambda rng: (1e7 + 0.01 * rng.random((200, 3)), np.full(200, 1e-3)),
-    "radius ratio 1e6": lambda rng: (rng.random((100, 3)), np.logspace(-6, 0, 100)),
-    "one plane": lambda rng: (rng.random((100, 3)) * [1, 1, 0], rng.random(100) * 0.1),
-    "one line": lambda rng: (rng.random((100, 3)) * [0, 0, 1], rng.random(100) * 0.01),
-    "one point": lambda rng: (np.full((50, 3), 0.3), np.linspace(0, 1, 50)),
-    "no extent": lambda rng: (np.full((5, 3), 0.3), np.zeros(5)),
-    "flat without radii": lambda rng: (rng.random((50, 3)) * [1, 1, 0], np.zeros(50)),
-    "duplicates": lambda rng: (np.repeat(rng.random((3, 3)), 1000, axis=0), np.full(3000, 0.2)),
-    "tangent": lambda rng: (np.argwhere(np.ones((4, 4, 4))), np.full(64, 0.5)),
-    "tiny lengths": lambda rng: (1e-200 * rng.random((50, 3)), np.full(50, 1e-201)),
-    "large lengths": lambda rng: (1e200 * rng.random((50, 3)), np.full(50, 1e199)),
-    "a knot": lambda rng: (knot(500), np.full(500, 0.03)),
-}
 
 
 @pytest.mark.parametrize("cuts", [0, 1, 6, 11])
@@ -107,7 +75,7 @@ def test_a_sphere_that_ends_on_a_face_touches_both_sides():
 @pytest.mark.parametrize("radii_dtype", [np.float32, np.float64, np.int32, np.uint8])
 def test_any_numeric_arrays(dtype, radii_dtype):
     packing = packing_of(np.zeros((1, 3), dtype), np.array([2], radii_dtype))
-    assert boxes_of(packing, 0).bounds == pytest.approx((-2, 2, -2, 2, -2, 2))
+    assert boxes_of(grid_of(0), packing).bounds == pytest.approx((-2, 2, -2, 2, -2, 2))
 
 
 def test_quads_are_closed_boxes_that_look_outwards(rng):
@@ -127,7 +95,7 @@ def test_quads_are_closed_boxes_that_look_outwards(rng):
 
 def test_lines_are_the_edges(rng):
     packing = packing_of(rng.random((50, 3)), rng.random(50) * 0.1)
-    quads, lines = boxes_of(packing, 3), boxes_of(packing, 3, lines=True)
+    quads, lines = boxes_of(grid_of(3), packing), boxes_of(grid_of(3, lines=True), packing)
     assert lines.n_lines == 2 * quads.n_cells
     np.testing.assert_array_equal(lines.points, quads.points)
     edges = lines.lines.reshape(-1, 3)[:, 1:]
@@ -145,28 +113,27 @@ def test_field_data():
 
 
 def test_an_empty_packing_has_no_boxes():
-    boxes = boxes_of(pv.PolyData(), 3)
+    boxes = boxes_of(grid_of(3), pv.PolyData())
     assert boxes.n_cells == boxes.n_points == 0
     assert boxes.field_data["occupied_share"][0] == 0
 
 
-def refusal(packing, cuts=1):
-    grid = vtkSpherePackingGrid()
-    log = ErrorLog(grid)
-    grid.SetInputData(packing)
-    grid.SetCuts(cuts)
-    grid.Update()
-    assert grid.GetErrorCode() != 0
-    assert grid.GetErrorMessage() in log.messages[0]
-    assert grid.GetOutput().GetNumberOfCells() == 0
-    grid.SetCuts(0)
-    return grid.GetErrorMessage()
-
-
 def test_refusals():
     good = packing_of(np.zeros((1, 3)), [1.0])
-    assert refusal(good, -1) == "cuts: found -1, expected 0 or more"
-    assert "more cells than fit" in refusal(good, 100_000)
-    assert "more cells than fit" in refusal(good, 2**31 - 1)
-    assert "point array 'radius'" in refusal(packing_of(np.zeros((1, 3)), [1.0], "size"))
-    assert "at point 0" in refusal(packing_of(np.zeros((1, 3)), [np.nan]))
+    assert refusal(grid_of(-1), good) == "cuts: found -1, expected 0 or more"
+    assert "more cells than fit" in refusal(grid_of(100_000), good)
+    assert "more cells than fit" in refusal(grid_of(2**31 - 1), good)
+    nameless = packing_of(np.zeros((1, 3)), [1.0], "size")
+    assert "point array 'radius'" in refusal(grid_of(), nameless)
+    assert "at point 0" in refusal(grid_of(), packing_of(np.zeros((1, 3)), [np.nan]))
+    assert "along y" in refusal(grid_of(), packing_of([[0, -1e308, 0], [0, 1e308, 0]], [1.0, 1.0]))
+
+
+def test_good_options_after_bad_ones():
+    packing = packing_of(np.zeros((1, 3)), [1.0])
+    grid = grid_of(-1)
+    refusal(grid, packing)
+    grid.SetCuts(0)
+    grid.RemoveAllObservers()
+    assert boxes_of(grid, packing).n_cells == 6
+    assert (grid.GetErrorCode(), grid.GetErrorMessage()) == (0, "")

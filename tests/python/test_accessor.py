@@ -116,3 +116,41 @@ def test_grid_boxes_refuse(cuts, error, found):
 def test_grid_boxes_need_radii():
     with pytest.raises(KeyError, match="no point array 'radius'"):
         pv.PolyData(np.zeros((2, 3))).packing.grid_boxes(1)
+
+
+def test_bvh_boxes_contain_the_spheres():
+    mesh = spherepacking.apollonian(3)
+    boxes = mesh.packing.bvh_boxes(7)
+    assert boxes.n_cells == 6 * 7
+    assert boxes.bounds == pytest.approx(mesh.packing.bounds)
+    assert set(boxes.field_data["leaf_of_sphere"]) == set(boxes["box_id"])
+    assert mesh.packing.bvh_boxes(7, as_lines=True).n_lines == 12 * 7
+    assert mesh.packing.bvh_boxes(7, leaves_only=False).n_cells == 6 * 13
+    assert mesh.packing.bvh_boxes().n_cells == 6 * 15
+    assert mesh.packing.bvh_boxes(depth=0).n_cells == 6
+    assert mesh.packing.bvh_boxes(depth=3)["depth"].max() == 3
+
+
+def test_bvh_boxes_of_an_empty_packing():
+    assert pv.PolyData().packing.bvh_boxes(2).n_cells == 0
+
+
+@pytest.mark.parametrize(
+    ("arguments", "error", "found"),
+    [
+        ({"boxes": 0}, ValueError, "boxes: found 0, expected an integer from 1"),
+        ({"boxes": 2**31}, ValueError, "boxes: found 2147483648, expected an integer from 1"),
+        ({"boxes": 1.5}, TypeError, "boxes: found 1.5, expected an integer from 1"),
+        ({"depth": -1}, ValueError, "depth: found -1, expected an integer from 0"),
+        ({"depth": "3"}, TypeError, "depth: found '3', expected an integer from 0"),
+        ({"boxes": 7, "depth": 3}, ValueError, "depth: found 3 beside boxes=7, expected one"),
+    ],
+)
+def test_bvh_boxes_refuse(arguments, error, found):
+    with pytest.raises(error, match=found):
+        packing().packing.bvh_boxes(**arguments)
+
+
+def test_bvh_boxes_need_radii():
+    with pytest.raises(KeyError, match="no point array 'radius'"):
+        pv.PolyData(np.zeros((2, 3))).packing.bvh_boxes()

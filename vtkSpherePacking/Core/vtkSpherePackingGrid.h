@@ -8,29 +8,24 @@
  * that cells beside the rounding of a sphere stay empty. Cells and spheres are closed: a sphere
  * that ends on a face touches both sides. A sphere of radius 0 touches where its centre is.
  *
- * Cell arrays, the same for all quads or lines of a box: `box_id`, the index of the cell, x
- * fastest, then y, then z; `depth`, 0; `count`, how many spheres touch the cell. Field arrays of
- * one value: `build_seconds`; `memory_bytes`, of a table of the spheres of each cell with 4 bytes a
- * sphere and 8 a cell; `occupied_share` of the cells, from 0 to 1.
+ * Cell arrays: `box_id`, the index of the cell, x fastest, then y, then z; `depth`, 0; `count`, how
+ * many spheres touch the cell. Field arrays of one value: `build_seconds`; `memory_bytes`, of a
+ * table of the spheres of each cell with 4 bytes a sphere and 8 a cell; `occupied_share` of the
+ * cells, from 0 to 1.
  *
- * An error leaves an empty output, is reported through vtkErrorMacro and sets GetErrorCode().
- * GetErrorMessage() is the sentence.
- *
- * @sa vtkSpherePackingInput
+ * @sa vtkSpherePackingBoxAlgorithm
  */
 #ifndef vtkSpherePackingGrid_h
 #define vtkSpherePackingGrid_h
 
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkSpherePackingBoxAlgorithm.h"
 #include "vtkSpherePackingCoreModule.h" // for the export macro
 
-#include <string> // for std::string
-
-class VTKSPHEREPACKINGCORE_EXPORT vtkSpherePackingGrid : public vtkPolyDataAlgorithm
+class VTKSPHEREPACKINGCORE_EXPORT vtkSpherePackingGrid : public vtkSpherePackingBoxAlgorithm
 {
 public:
   static vtkSpherePackingGrid* New();
-  vtkTypeMacro(vtkSpherePackingGrid, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkSpherePackingGrid, vtkSpherePackingBoxAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
@@ -40,38 +35,18 @@ public:
   vtkSetMacro(Cuts, int);
   vtkGetMacro(Cuts, int);
 
-  /**
-   * Twelve lines a box instead of six quads. Off by default.
-   */
-  vtkSetMacro(BoxesAsLines, bool);
-  vtkGetMacro(BoxesAsLines, bool);
-  vtkBooleanMacro(BoxesAsLines, bool);
-
-  /**
-   * Name of the point array that holds the radii, default "radius".
-   */
-  vtkSetStdStringFromCharMacro(RadiusArrayName);
-  vtkGetCharFromStdStringMacro(RadiusArrayName);
-
-  /**
-   * What was wrong in the last run; empty when nothing was.
-   */
-  const char* GetErrorMessage() const { return this->ErrorMessage.c_str(); }
-
 protected:
   vtkSpherePackingGrid() = default;
   ~vtkSpherePackingGrid() override = default;
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void CheckOptions(vtkIdType spheres) override;
+  void MakeBoxes(vtkPolyData* packing, vtkDataArray* radii, const double bounds[6],
+    vtkSpherePackingBoxes& boxes, vtkPolyData* output) override;
 
 private:
   vtkSpherePackingGrid(const vtkSpherePackingGrid&) = delete;
   void operator=(const vtkSpherePackingGrid&) = delete;
-  int Fail(const std::string& message);
 
   int Cuts = 6;
-  bool BoxesAsLines = false;
-  std::string RadiusArrayName = "radius";
-  std::string ErrorMessage;
 };
 
 #endif

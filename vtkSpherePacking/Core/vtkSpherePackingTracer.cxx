@@ -2,6 +2,7 @@
 #include "vtkSpherePackingTracer.h"
 
 #include "vtkSpherePackingCameraRays.h"
+#include "vtkSpherePackingFields.h"
 #include "vtkSpherePackingInput.h"
 #include "vtkSpherePackingMemory.h"
 #include "vtkSpherePackingParallelFor.h"
@@ -103,15 +104,6 @@ auto* AddPixels(vtkImageData* image, const char* name, int components)
   array->SetArray(static_cast<Value*>(memory), count, 0, ArrayT::VTK_DATA_ARRAY_FREE);
   image->GetPointData()->AddArray(array);
   return array->GetPointer(0);
-}
-
-void AddField(vtkDataObject* output, const char* name, const std::vector<double>& values)
-{
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(name);
-  array->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
-  std::copy(values.begin(), values.end(), array->GetPointer(0));
-  output->GetFieldData()->AddArray(array);
 }
 
 void AddExtents(vtkDataObject* output, const std::vector<spherepacking::Tile>& tiles)
@@ -441,11 +433,11 @@ void vtkSpherePackingTracer::Trace(vtkImageData* output)
     ShowNothing(picture, tile);
   }
   AddExtents(output, tiles.Tiles);
-  AddField(output, "compute_seconds", tiles.ComputeSeconds);
-  AddField(output, "partial_seconds", tiles.PartialSeconds);
-  AddField(output, "complete_seconds", { tiles.CompleteSeconds });
-  AddField(output, "build_seconds", { this->Internals->BuildSeconds });
-  AddField(output, "memory_bytes", { this->Internals->Bytes() });
+  vtkSpherePackingAddField(output, "compute_seconds", tiles.ComputeSeconds);
+  vtkSpherePackingAddField(output, "partial_seconds", tiles.PartialSeconds);
+  vtkSpherePackingAddField(output, "complete_seconds", { tiles.CompleteSeconds });
+  vtkSpherePackingAddField(output, "build_seconds", { this->Internals->BuildSeconds });
+  vtkSpherePackingAddField(output, "memory_bytes", { this->Internals->Bytes() });
 }
 
 //------------------------------------------------------------------------------

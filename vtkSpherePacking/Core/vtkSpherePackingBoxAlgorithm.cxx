@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSpherePackingBoxAlgorithm.h"
+
+#include "vtkSpherePackingBoxes.h"
+#include "vtkSpherePackingFields.h"
+#include "vtkSpherePackingInput.h"
+
+#include "vtkErrorCode.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+
+#include <chrono>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+namespace
+{
+vtkDataArray* RadiiOf(vtkPolyData* packing, const char* name)
+{
+  vtkNew<vtkSpherePackingInput> check;
+  vtkDataArray* radii = check->FindRadii(packing, name);
+  if (*check->GetMessage())
+  {
+    throw std::invalid_argument(check->GetMessage());
+  }
+  return radii;
+}
+
+void CheckExtent(const double bounds[6])
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (!std::isfinite(bounds[2 * axis + 1] - bounds[2 * axis]))
+    {
+      std::ostringstream message;
+      message << "the spheres reach from " << bounds[2 * axis] << " to " << bounds[2 * axis + 1]
+              << " along " << "xyz"[axis] << ", expected less than double precision can hold";
+      throw std::invalid_argument(message.str());
+    }
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+int vtkSpherePackingBoxAlgorithm::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  this->ErrorMessage.clear();
+  this->SetErrorCode(vtkErrorCode::NoError);
+  vtkPolyData* packing = vtkPolyData::GetData(inputs[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputs);
+  try
+  {
+    this->CheckOptions(packing->GetNumberOfPoints());
+    vtkDataArray* radii = RadiiOf(packing, this->RadiusArrayName.c_str());
+    const auto start = std::chrono::steady_clock::now();
+    double bounds[6];
+    vtkSpherePackingInput::ComputeBounds(packing, radii, bounds);
+    CheckExtent(bounds);
+    vtkSpherePackingBoxes boxes;
+    this->MakeBoxes(packing, radii, bounds, boxes, output);
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    vtkSpherePackingAddField(output, "build_seconds", { seconds.count() });
+    boxes.Write(output, this->BoxesAsLines);
+  }
+  catch (const std::invalid_argument& error)
+  {
+    this->ErrorMessage = error.what();
+    this->SetErrorCode(vtkErrorCode::UserError);
+    vtkErrorMacro(<< this->ErrorMessage);
+    return 0;
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkSpherePackingBoxAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "BoxesAsLines: " << this->BoxesAsLines << "\n";
+  os << indent << "RadiusArrayName: " << this->RadiusArrayName << "\n";
+  os << indent << "ErrorMessage: " << this->ErrorMessage << "\n";
+}
