@@ -2,10 +2,13 @@
 #
 # Runs VTK's own generator on the wrapped modules after they are linked and installs the .pyi files
 # and py.typed with them. (The option BUILD_PYI_FILES of vtk_module_wrap_python works only inside
-# VTK's own build: it needs targets of that build.) The build tree's package folder has no __init__.py, so that only the
-# wrapped modules are imported: neither PyVista nor NumPy is needed, as in an isolated pip build.
+# VTK's own build: it needs targets of that build.) The package is an __init__.py that says where the
+# build tree's modules lie, so that nothing else is imported: neither PyVista nor NumPy is needed, as
+# in an isolated pip build. Without it a package that is already installed would be described.
 function (spherepacking_write_stubs)
-  set(_path "${CMAKE_BINARY_DIR}/${SPHEREPACKING_SITE_DIR}")
+  set(_path "${CMAKE_BINARY_DIR}/stubs/package")
+  file(CONFIGURE OUTPUT "${_path}/spherepacking/__init__.py"
+    CONTENT "__path__ = [r\"${CMAKE_BINARY_DIR}/${SPHEREPACKING_SITE_DIR}/spherepacking\"]\n" @ONLY)
   if (SPHEREPACKING_VTK_PACKAGE STREQUAL "cvista")
     # The SDK carries the importable package with the libraries that the modules were linked to.
     file(GLOB _sdk_generator "${VTK_DIR}/../content/cvista/generate_pyi.py")
