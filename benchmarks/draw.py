@@ -28,14 +28,13 @@ import pyvista as pv
 import spherepacking
 from rich.console import Console
 from rich.table import Table
-from spherepacking import _accuracy, _reference, _scenes
 from spherepacking._offscreen import choose_window
+from spherepacking.bench import accuracy, reference
+from spherepacking.bench.peers import add_discs
+from spherepacking.bench.scenes import knot_tube, set_camera
 
 BAR = 1.25
 SIZE = (1000, 1000)
-DISC = """//VTK::Color::Impl
-  if (dot(offsetVCVSOutput, offsetVCVSOutput) > 1.0) discard;
-"""
 
 
 def window(samples: int = 0) -> pv.Plotter:
@@ -70,7 +69,7 @@ def scenes(data: Path):
     ball["radius"] = np.ones(1)
     yield "one sphere from 1.01 radii", ball, {"position": (1.01, 0, 0), "view_angle": 60.0}
     yield "one sphere from inside", ball, {"position": (0.4, 0.2, 0.1), "view_angle": 90.0}
-    knot = _scenes.knot_tube(50_000)
+    knot = knot_tube(50_000)
     yield "knot, 50k", knot, {"position": (3, 3, 3)}
     yield "knot, parallel", knot, {"position": (3, 3, 3), "parallel_scale": 1.8}
     yield "knot, parallel, 1000 x away", knot, {"position": (3e3, 3e3, 3e3), "parallel_scale": 1.8}
@@ -79,10 +78,10 @@ def scenes(data: Path):
             yield name, *file_scene(data / name)
 
 
-def errors_of(packing: pv.PolyData, view: dict) -> tuple[_accuracy.Errors, float]:
+def errors_of(packing: pv.PolyData, view: dict) -> tuple[accuracy.Errors, float]:
     plotter = window()
     plotter.packing.add(
-        packing, scalars=_accuracy.id_colors(packing.n_points), rgb=True, lighting=False
+        packing, scalars=accuracy.id_colors(packing.n_points), rgb=True, lighting=False
     )
     look(plotter, **view)
     plotter.show(auto_close=False, interactive=False)
@@ -94,11 +93,11 @@ def errors_of(packing: pv.PolyData, view: dict) -> tuple[_accuracy.Errors, float
         plotter.render()
         plotter.render_window.WaitForCompletion()
         times.append(time.perf_counter() - start)
-    drawn = _accuracy.read(plotter)
-    to_device = _reference.projection(plotter.renderer)
+    drawn = accuracy.read(plotter)
+    to_device = reference.projection(plotter.renderer)
     plotter.close()
-    reference = _reference.cast(packing.points, packing["radius"], to_device, SIZE)
-    return _accuracy.compare(drawn, reference), statistics.median(times[1:])
+    expected = reference.cast(packing.points, packing["radius"], to_device, SIZE)
+    return accuracy.compare(drawn, expected), statistics.median(times[1:])
 
 
 def error_table(data: Path, console: Console) -> bool:
@@ -139,20 +138,6 @@ def error_table(data: Path, console: Console) -> bool:
 # --- speed ----------------------------------------------------------------------------------------
 
 
-def add_discs(plotter: pv.Plotter, packing: pv.PolyData) -> None:
-    mapper = pv._vtk.vtkPointGaussianMapper()
-    mapper.SetInputData(packing)
-    mapper.SetScaleArray("radius")
-    mapper.SetScaleFactor(1.0)
-    mapper.SetBoundScale(1.0)
-    mapper.EmissiveOff()
-    mapper.SetSplatShaderCode(DISC)
-    mapper.SetScalarRange(packing.get_data_range("radius"))
-    actor = pv._vtk.vtkActor()
-    actor.SetMapper(mapper)
-    plotter.renderer.AddActor(actor)
-
-
 def add_spheres(plotter: pv.Plotter, packing: pv.PolyData) -> None:
     plotter.packing.add(packing, scalars="radius", show_scalar_bar=False)
 
@@ -165,7 +150,7 @@ def plotters(packing: pv.PolyData, lights: str, samples: int) -> dict[str, pv.Pl
             plotter.remove_all_lights()
             plotter.add_light(pv.Light(light_type="headlight"))
         add(plotter, packing)
-        _scenes.set_camera(plotter)
+        set_camera(plotter)
         plotter.show(auto_close=False, interactive=False)
         made[name] = plotter
     return made
@@ -192,7 +177,7 @@ def speed_table(counts: list[int], turns: int, console: Console) -> bool:
         table.add_column(name, justify="right")
     good = True
     for count in counts:
-        packing = _scenes.knot_tube(count)
+        packing = knot_tube(count)
         for lights in ("headlight", "PyVista's"):
             for samples in (0, pv.global_theme.multi_samples):
                 seconds = frame_times(packing, lights, samples, turns)

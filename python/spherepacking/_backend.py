@@ -56,7 +56,7 @@ _check(VTK_ROOT, _pyvista_root())
 
 # The rendering backend registers its object factory overrides when it is imported, and the
 # extension's libraries find VTK's through it.
-importlib.import_module(f"{VTK_ROOT}.vtkRenderingOpenGL2")
+_opengl = importlib.import_module(f"{VTK_ROOT}.vtkRenderingOpenGL2")
 _core = _load("vtkSpherePackingCore")
 _rendering = _load("vtkSpherePackingRendering")
 
@@ -68,4 +68,7 @@ vtkSpherePackingInput = _core.vtkSpherePackingInput
 vtkSpherePackingReader = _core.vtkSpherePackingReader
 vtkSpherePackingTracer = _core.vtkSpherePackingTracer
 vtkSpherePackingWriter = _core.vtkSpherePackingWriter
+vtkGlyph3DMapper = importlib.import_module(f"{VTK_ROOT}.vtkRenderingCore").vtkGlyph3DMapper
+# Stock VTK has it, cvista does not.
+vtkOpenGLSphereMapper = getattr(_opengl, "vtkOpenGLSphereMapper", None)
 vtkOpenGLSpherePackingMapper = _rendering.vtkOpenGLSpherePackingMapper

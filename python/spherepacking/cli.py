@@ -303,6 +303,57 @@ def convert(source: Path, target: Path, /) -> None:
     write(_read(source), target)
 
 
+@app.command
+def bench(
+    *,
+    counts: Annotated[list[int], Parameter(consume_multiple=True, negative=())] = [  # noqa: B006
+        5_000,
+        50_000,
+        100_000,
+        200_000,
+        300_000,
+        1_000_000,
+    ],
+    only: Annotated[list[str] | None, Parameter(consume_multiple=True, negative=())] = None,
+    size: tuple[int, int] = (1000, 1000),
+    turns: int = 5,
+    limit: float = 20.0,
+    csv: Path = Path("bench.csv"),
+    png: Path = Path("bench.png"),
+) -> None:
+    """Measure speed beside error on this machine, of this package and of others that are there.
+
+    Every technique makes pictures of polydisperse packings in a knotted tube, seen from (3, 3, 3);
+    they take turns. What it shows is compared with float64 rays. Ctrl-C keeps the counts that are
+    done.
+
+    Parameters
+    ----------
+    counts
+        Numbers of spheres, each from 100 on.
+    only
+        Measure techniques with one of these words in their name alone: ray, opengl, vtk, ...
+    size
+        Width and height of the pictures in pixels.
+    turns
+        How many pictures of each are timed, after one that is not.
+    limit
+        Seconds that a technique may take for its pictures of one packing.
+    csv
+        File to write all numbers to.
+    png
+        Picture to write the charts to.
+    """
+    from ._offscreen import choose_window
+
+    choose_window()
+    _load()
+
+    from .bench.command import run
+
+    run(counts, only, size, turns, limit, csv, png)
+
+
 def _flush() -> None:
     """Write out what was printed; at the interpreter's end nobody could be told of a failure."""
     try:

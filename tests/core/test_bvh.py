@@ -12,7 +12,7 @@ import pyvista as pv
 from arrays import packing_of
 from boxes import CASES, boxes_of, one_a_box, refusal
 from spherepacking._backend import vtkSpherePackingBVH
-from spherepacking._scenes import knot_tube
+from spherepacking.bench.scenes import knot_tube
 
 HARD = CASES | {
     "denormal lengths": lambda rng: (1e-310 * rng.random((50, 3)), np.full(50, 1e-312)),

@@ -133,10 +133,10 @@ def test_an_explicit_off_axis_camera(rng):
     found = picture(tracer_of(packing_of(centers, radii), camera, size))
     matrix = camera.GetCompositeProjectionTransformMatrix(size[0] / size[1], -1, 1)
     matrix = np.array([[matrix.GetElement(i, j) for j in range(4)] for i in range(4)])
-    from spherepacking import _reference
+    from spherepacking.bench import reference
 
     y, x = np.mgrid[: size[1], : size[0]]
-    rays = _reference.pixel_rays(matrix, size, x.ravel(), y.ravel())
+    rays = reference.pixel_rays(matrix, size, x.ravel(), y.ravel())
     first = Exact(centers, radii, rays.origin, rays.direction).first()
     expected = np.where(first.min(axis=1) < np.inf, first.argmin(axis=1), -1)
     assert (found["sphere_id"] != expected).sum() <= 1

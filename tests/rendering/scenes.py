@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 import pyvista as pv
-from spherepacking import _accuracy, _reference
+from spherepacking.bench import accuracy, reference
 
 
 @dataclass
@@ -57,7 +57,7 @@ def show(packing, camera, size=(400, 400), *, samples=None, **words):
     plotter.set_background("black")
     words.setdefault("lighting", False)
     if "color" not in words and "scalars" not in words:
-        words |= {"scalars": _accuracy.id_colors(packing.n_points), "rgb": True}
+        words |= {"scalars": accuracy.id_colors(packing.n_points), "rgb": True}
     actor = plotter.packing.add(packing, show_scalar_bar=False, **words)
     camera.apply(plotter)
     plotter.show(auto_close=False, interactive=False)
@@ -72,6 +72,6 @@ def show(packing, camera, size=(400, 400), *, samples=None, **words):
 def draw_and_cast(centers, radii, camera, size=(400, 400), **words):
     """Draw a packing, cast the same view in float64 and return both pictures."""
     with show(make_packing(centers, radii), camera, size, **words) as (plotter, _):
-        drawn = _accuracy.read(plotter)
-        to_device = _reference.projection(plotter.renderer)
-    return drawn, _reference.cast(centers, radii, to_device, size)
+        drawn = accuracy.read(plotter)
+        to_device = reference.projection(plotter.renderer)
+    return drawn, reference.cast(centers, radii, to_device, size)

@@ -4,16 +4,17 @@ import numpy as np
 import pytest
 import spherepacking
 from scenes import Camera, draw_and_cast
-from spherepacking import _accuracy, _scenes
+from spherepacking.bench import accuracy
+from spherepacking.bench.scenes import knot_tube
 
 
 def check(centers, radii, camera, size=(400, 400), sphere_wrong=1e-4):
     """Compare; `sphere_wrong` bounds the share of pixels that show another sphere."""
     for samples in (None, 0):
-        drawn, reference = draw_and_cast(
+        drawn, expected = draw_and_cast(
             np.asarray(centers), np.asarray(radii), camera, size, samples=samples
         )
-        errors = _accuracy.compare(drawn, reference)
+        errors = accuracy.compare(drawn, expected)
         assert errors.hit_pixels > 0
         assert errors.good, errors
         assert errors.sphere_wrong <= sphere_wrong * errors.hit_pixels + 1, errors
@@ -70,7 +71,7 @@ def test_apollonian_packing_of_mutually_tangent_spheres():
 )
 def test_packing_of_which_most_is_hidden(camera):
     # Enough spheres that those behind what is drawn already are dropped before they are drawn.
-    packing = _scenes.knot_tube(25_000)
+    packing = knot_tube(25_000)
     check(packing.points, packing["radius"], camera, (360, 360))
 
 
@@ -172,7 +173,7 @@ def test_sizes_around_the_largest_point(rng):
     """Spheres a hair smaller and larger than what is drawn as a point are all there."""
     radii = np.linspace(0.97, 1.01, 16)  # 255 pixels are a radius of 0.99 here
     for radius in radii:
-        drawn, reference = draw_and_cast(
+        drawn, expected = draw_and_cast(
             ONE, [radius], Camera((0, 0, 10), up=(0, 1, 0), parallel_scale=1.5), (300, 386)
         )
-        assert np.array_equal(drawn.sphere_id >= 0, reference.sphere_id >= 0), radius
+        assert np.array_equal(drawn.sphere_id >= 0, expected.sphere_id >= 0), radius

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import pyvista as pv
 from scenes import Camera, draw_and_cast, make_packing, show
-from spherepacking import _accuracy, _reference
+from spherepacking.bench import accuracy, reference
 
 
 @pytest.mark.parametrize("samples", [None, 0])
@@ -15,20 +15,20 @@ def test_near_plane_shows_the_inside(rng, parallel_scale, samples):
     camera = Camera(
         (0, 0, 4), up=(0, 1, 0), parallel_scale=parallel_scale, clipping_range=(4.0, 6.0)
     )
-    drawn, reference = draw_and_cast(centers, radii, camera, samples=samples)
-    errors = _accuracy.compare(drawn, reference)
+    drawn, expected = draw_and_cast(centers, radii, camera, samples=samples)
+    errors = accuracy.compare(drawn, expected)
     assert errors.good, errors
     assert errors.sphere_wrong <= 10
     # The scene is one where that matters: some visible hits are on the far side of their sphere.
-    centre_depth = 4.0 - centers[reference.sphere_id[reference.sphere_id >= 0], 2]
+    centre_depth = 4.0 - centers[expected.sphere_id[expected.sphere_id >= 0], 2]
     assert (centre_depth < 4.0).mean() > 0.05
 
 
 def test_far_plane_cuts(rng):
     centers = rng.uniform(-1, 1, (300, 3))
     camera = Camera((0, 0, 4), up=(0, 1, 0), clipping_range=(1.0, 3.5))
-    drawn, reference = draw_and_cast(centers, np.full(300, 0.3), camera)
-    errors = _accuracy.compare(drawn, reference)
+    drawn, expected = draw_and_cast(centers, np.full(300, 0.3), camera)
+    errors = accuracy.compare(drawn, expected)
     assert errors.good, errors
 
 
@@ -45,10 +45,10 @@ def test_clipping_planes_cut_per_pixel(parallel_scale, samples):
         for origin, normal in planes:
             actor.mapper.AddClippingPlane(_plane(origin, normal))
         plotter.render()
-        drawn = _accuracy.read(plotter)
-        to_device = _reference.projection(plotter.renderer)
+        drawn = accuracy.read(plotter)
+        to_device = reference.projection(plotter.renderer)
     x, y = np.meshgrid(np.arange(size[0]), np.arange(size[1]))
-    rays = _reference.pixel_rays(to_device, size, x, y)
+    rays = reference.pixel_rays(to_device, size, x, y)
     expected = np.full(x.shape, np.inf)
     margin = np.full(x.shape, np.inf)  # how near a decision was
     a = np.sum(rays.direction**2, axis=-1)
@@ -68,7 +68,7 @@ def test_clipping_planes_cut_per_pixel(parallel_scale, samples):
     assert 0.02 < hit.mean() < 0.6
     wrong = (drawn.sphere_id >= 0) != hit
     assert not np.any(wrong & (margin > 1e-6))
-    depth = _reference.depth_values(to_device, rays, expected)
+    depth = reference.depth_values(to_device, rays, expected)
     steps = np.abs(drawn.depth - depth)[hit & ~wrong] * (2.0**drawn.depth_bits - 1)
     assert np.quantile(steps, 0.999) <= 2.0
 
@@ -83,12 +83,12 @@ def _plane(origin, normal):
 def test_removing_a_clipping_plane_shows_the_whole_sphere():
     packing = make_packing([[0.0, 0.0, 0.0]], [1.0])
     with show(packing, Camera(), (100, 100)) as (plotter, actor):
-        whole = _accuracy.read(plotter).sphere_id >= 0
+        whole = accuracy.read(plotter).sphere_id >= 0
         actor.mapper.AddClippingPlane(_plane((0, 0, 0), (0, 0, 1)))
         plotter.render()
-        half = _accuracy.read(plotter).sphere_id >= 0
+        half = accuracy.read(plotter).sphere_id >= 0
         actor.mapper.RemoveAllClippingPlanes()
         plotter.render()
-        again = _accuracy.read(plotter).sphere_id >= 0
+        again = accuracy.read(plotter).sphere_id >= 0
     assert half.sum() < 0.9 * whole.sum()
     assert np.array_equal(whole, again)

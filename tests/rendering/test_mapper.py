@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 import pyvista as pv
 from scenes import Camera, draw_and_cast, make_packing, show
-from spherepacking import _accuracy
 from spherepacking._backend import VTK_ROOT, vtkOpenGLSpherePackingMapper
+from spherepacking.bench import accuracy
 
 ROW = np.array([[-2.5, 0.0, 0.0], [0.0, 0.0, 0.0], [2.5, 0.0, 0.0]])
 FRONT = Camera((0, 0, 20), up=(0, 1, 0), parallel_scale=4.0)
@@ -33,21 +33,21 @@ def at_middles(picture):
 def test_radii_of_type(dtype):
     radii = np.array([1, 2, 3], dtype=dtype)
     centers = ROW * 3
-    drawn, reference = draw_and_cast(centers, radii, Camera((0, 5, 30)))
-    assert _accuracy.compare(drawn, reference).good
+    drawn, expected = draw_and_cast(centers, radii, Camera((0, 5, 30)))
+    assert accuracy.compare(drawn, expected).good
 
 
 def test_radius_array_by_another_name():
     packing = make_packing(ROW, [0.1, 0.1, 0.1])
     packing.point_data["size"] = [1.0, 1.0, 1.0]
     with show(packing, FRONT, SIZE, radius="size") as (plotter, _):
-        assert (_accuracy.read(plotter).sphere_id >= 0).mean() > 0.1
+        assert (accuracy.read(plotter).sphere_id >= 0).mean() > 0.1
 
 
 def test_zero_radius_draws_nothing():
-    drawn, reference = draw_and_cast(ROW, [1.0, 0.0, 0.0], FRONT, SIZE)
+    drawn, expected = draw_and_cast(ROW, [1.0, 0.0, 0.0], FRONT, SIZE)
     assert set(np.unique(drawn.sphere_id)) == {-1, 0}
-    assert np.array_equal(drawn.sphere_id, reference.sphere_id)
+    assert np.array_equal(drawn.sphere_id, expected.sphere_id)
 
 
 def test_bounds_include_the_radii(rng):
@@ -174,8 +174,8 @@ def test_rotation_translation_and_scale_of_the_actor():
     radii = np.array([1.0, 0.5, 1.2])
     moved = ROW @ matrix[:3, :3].T + matrix[:3, 3]
     drawn, _ = draw_and_cast(ROW, radii, Camera((0, 1, 12)), user_matrix=matrix)
-    straight, reference = draw_and_cast(moved, 1.7 * radii, Camera((0, 1, 12)))
-    errors = _accuracy.compare(straight, reference)
+    straight, expected = draw_and_cast(moved, 1.7 * radii, Camera((0, 1, 12)))
+    errors = accuracy.compare(straight, expected)
     assert errors.good, errors
     assert np.mean(drawn.sphere_id != straight.sphere_id) < 1e-4
 
@@ -346,7 +346,7 @@ def test_hardware_selection_returns_the_point_id(rng, association):
     packing = make_packing(centers, radii)
     size = (150, 150)
     with show(packing, Camera(), size) as (plotter, _):
-        seen = _accuracy.read(plotter).sphere_id
+        seen = accuracy.read(plotter).sphere_id
         selector = vtk_module("vtkRenderingCore").vtkHardwareSelector()
         selector.SetRenderer(plotter.renderer)
         selector.SetFieldAssociation(
@@ -363,7 +363,7 @@ def test_hardware_selection_returns_the_point_id(rng, association):
                 assert len(ids) <= 1
                 picked[y, x] = ids[0] if ids else -1
         selector.ClearBuffers()
-        again = _accuracy.read(plotter).sphere_id
+        again = accuracy.read(plotter).sphere_id
     sample = np.s_[::5, ::5]
     assert (seen[sample] >= 0).mean() > 0.2
     assert np.array_equal(picked[sample], seen[sample])

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from scenes import Camera, make_packing, show
-from spherepacking import _reference
+from spherepacking.bench import reference
 
 
 def brute_force(centers, radii, rays):
@@ -35,13 +35,13 @@ def test_cast_equals_long_double_brute_force(rng, parallel_scale):
     camera = Camera(parallel_scale=parallel_scale)
     size = (120, 90)
     with show(make_packing(centers, radii), camera, size) as (plotter, _):
-        to_device = _reference.projection(plotter.renderer)
-    picture = _reference.cast(centers, radii, to_device, size)
+        to_device = reference.projection(plotter.renderer)
+    picture = reference.cast(centers, radii, to_device, size)
     x, y = np.meshgrid(np.arange(size[0]), np.arange(size[1]))
-    rays = _reference.pixel_rays(to_device, size, x.ravel(), y.ravel())
+    rays = reference.pixel_rays(to_device, size, x.ravel(), y.ravel())
     t, ids = brute_force(centers, radii, rays)
     assert np.array_equal(picture.sphere_id.ravel(), ids)
-    depth = _reference.depth_values(to_device, rays, t.astype(float))
+    depth = reference.depth_values(to_device, rays, t.astype(float))
     np.testing.assert_allclose(picture.depth.ravel(), depth, rtol=0, atol=1e-13)
 
 
@@ -52,9 +52,9 @@ def test_projected_disc_in_parallel_view():
         Camera((0, 0, 5), up=(0, 1, 0), parallel_scale=2.0),
         size,
     ) as (plotter, _):
-        to_device = _reference.projection(plotter.renderer)
+        to_device = reference.projection(plotter.renderer)
         near, far = plotter.camera.clipping_range
-    picture = _reference.cast([[0.0, 0.0, 0.0]], [1.0], to_device, size)
+    picture = reference.cast([[0.0, 0.0, 0.0]], [1.0], to_device, size)
     x = (np.arange(200) + 0.5) / 50.0 - 2.0
     rho2 = x[None, :] ** 2 + x[:, None] ** 2
     assert np.array_equal(picture.sphere_id == 0, rho2 <= 1.0)

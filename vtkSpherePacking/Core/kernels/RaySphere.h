@@ -63,6 +63,10 @@ inline Real HitSphere(const Real& fx, const Real& fy, const Real& fz, double r, 
   const Real ly = fy - middle * dy;
   const Real lz = fz - middle * dz;
   const Real discriminant = r * r - (lx * lx + ly * ly + lz * lz);
+  if (!Any(discriminant > 0.0))
+  {
+    return none;
+  }
   // NaN where the discriminant is negative.
   const Real half = Sqrt(discriminant * inverseSquare);
   const Real near = middle - half;

@@ -57,6 +57,20 @@ inline unsigned Bits(const Int8& mask)
 #endif
 }
 
+/// Whether any element of a comparison's result is true.
+inline bool Any(const Long4& mask)
+{
+#if defined(__AVX__)
+  return _mm256_movemask_pd(reinterpret_cast<__m256d>(mask)) != 0;
+#else
+  return (mask[0] | mask[1] | mask[2] | mask[3]) != 0;
+#endif
+}
+inline bool Any(bool mask)
+{
+  return mask;
+}
+
 inline Float8 Sqrt(const Float8& x)
 {
 #if defined(__AVX__)

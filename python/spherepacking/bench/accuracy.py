@@ -7,11 +7,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from spherepacking import _reference
-
 if TYPE_CHECKING:
     import pyvista as pv
     from numpy.typing import NDArray
+
+    from .reference import Picture
 
 
 @dataclass(frozen=True)
@@ -79,16 +79,16 @@ def window_depth(plotter: pv.Plotter) -> NDArray[np.float32]:
     return pv.convert_array(values)
 
 
-def compare(drawn: Drawn, reference: _reference.Picture) -> Errors:
+def compare(drawn: Drawn, expected: Picture) -> Errors:
     """Compare a drawn picture with the reference."""
     drawn_hit = drawn.sphere_id >= 0
-    hit = reference.sphere_id >= 0
+    hit = expected.sphere_id >= 0
     both = drawn_hit & hit
-    steps = np.abs(drawn.depth - reference.depth)[both] * (2.0**drawn.depth_bits - 1.0)
+    steps = np.abs(drawn.depth - expected.depth)[both] * (2.0**drawn.depth_bits - 1.0)
     return Errors(
         hit_pixels=int(hit.sum()),
         silhouette_wrong=int((drawn_hit != hit).sum()),
-        sphere_wrong=int((both & (drawn.sphere_id != reference.sphere_id)).sum()),
+        sphere_wrong=int((both & (drawn.sphere_id != expected.sphere_id)).sum()),
         depth_steps_median=float(np.median(steps)) if steps.size else 0.0,
         depth_steps_999=float(np.quantile(steps, 0.999)) if steps.size else 0.0,
     )

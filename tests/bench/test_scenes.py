@@ -2,8 +2,8 @@
 
 import numpy as np
 import pytest
-from spherepacking._scenes import knot_tube
 from spherepacking.accessor import PackingAccessor
+from spherepacking.bench.scenes import knot_tube
 
 
 def knot(t):

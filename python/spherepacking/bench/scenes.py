@@ -82,7 +82,41 @@ def knot_tube(count: int, seed: int = 0) -> pv.PolyData:
     return packing
 
 
+def camera_of_all() -> pv.Camera:
+    """Make the camera of every benchmark: at (3, 3, 3), looking at the origin, 40° high."""
+    camera = pv.Camera()
+    camera.position, camera.focal_point, camera.up = (3.0, 3.0, 3.0), (0.0, 0.0, 0.0), (0, 0, 1.0)
+    camera.view_angle = 40.0
+    return camera
+
+
 def set_camera(plotter: pv.Plotter) -> None:
-    """Look at the scene as every benchmark does: from (3, 3, 3) to the origin, 40° high."""
-    plotter.camera_position = [(3.0, 3.0, 3.0), (0.0, 0.0, 0.0), (0.0, 0.0, 1.0)]
-    plotter.camera.view_angle = 40.0
+    """Let a plotter look at the scene as every benchmark does."""
+    camera = camera_of_all()
+    plotter.camera_position = [camera.position, camera.focal_point, camera.up]
+    plotter.camera.view_angle = camera.view_angle
+
+
+def depths_of(packing: pv.PolyData, camera: pv.Camera) -> tuple[float, float]:
+    """Find between which distances from the camera, along its direction, all spheres lie.
+
+    Parameters
+    ----------
+    packing : pyvista.PolyData
+        Centres (n, 3) and point array ``radius`` (n,), n > 0.
+    camera : pyvista.Camera
+        Camera outside the packing.
+
+    Returns
+    -------
+    tuple[float, float]
+        The least and the greatest distance, with a hundredth of their difference to spare.
+    """
+    position = np.asarray(camera.position, dtype=float)
+    forward = np.asarray(camera.focal_point, dtype=float) - position
+    forward /= np.linalg.norm(forward)
+    away = (np.asarray(packing.points, dtype=float) - position) @ forward
+    radii = np.asarray(packing.point_data["radius"], dtype=float)
+    least, greatest = float((away - radii).min()), float((away + radii).max())
+    spare = 0.01 * (greatest - least)
+    return max(least - spare, 1e-3 * greatest), greatest + spare

@@ -1,0 +1,101 @@
+"""The command ``spherepacking bench``."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+from rich.console import Console
+
+from .._replace import check_replaceable, replace_file
+from ..image import check_output
+from .chart import write_chart
+from .measure import measure
+from .table import csv_of, table_of
+from .techniques import everything
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+    from pathlib import Path
+
+    from .measure import Row
+    from .techniques import Technique
+
+
+def chosen(only: Sequence[str] | None) -> list[Technique]:
+    """Return the techniques that are there and have one of the words in their name.
+
+    Raises
+    ------
+    ValueError
+        If a word is in no name.
+    """
+    there = everything()
+    if not only:
+        return there
+    labels = [technique.label for technique in there]
+    for word in only:
+        if not any(word.lower() in label.lower() for label in labels):
+            raise ValueError(f"--only: found {word!r}, expected a part of: {'; '.join(labels)}")
+    return [t for t in there if any(word.lower() in t.label.lower() for word in only)]
+
+
+def _check(counts: Sequence[int], size: tuple[int, int], turns: int, limit: float) -> None:
+    if not counts or not all(100 <= count < 1 << 24 for count in counts):
+        raise ValueError(f"--counts: found {counts}, expected numbers from 100 to 16777215")
+    if min(size) < 1 or max(size) > 8192:
+        raise ValueError(
+            f"--size: found {size[0]} {size[1]}, expected numbers of pixels from 1 to 8192"
+        )
+    if turns < 1:
+        raise ValueError(f"--turns: found {turns}, expected 1 or more")
+    if not 0.0 < limit < math.inf:
+        raise ValueError(f"--limit: found {limit}, expected a finite number of seconds above 0")
+
+
+def run(
+    counts: Sequence[int],
+    only: Sequence[str] | None,
+    size: tuple[int, int],
+    turns: int,
+    limit: float,
+    csv: Path,
+    png: Path,
+) -> list[Row]:
+    """Measure, print the table and write both files; see the command's own help.
+
+    Returns
+    -------
+    list of Row
+        What was measured.
+
+    Raises
+    ------
+    KeyboardInterrupt
+        If Ctrl-C was pressed; what was done by then is printed and written.
+    OSError, ValueError
+        If an argument is none or a file cannot be written.
+    """
+    _check(counts, size, turns, limit)
+    check_output(png)
+    check_replaceable(csv)
+    techniques = chosen(only)
+    rows: list[Row] = []
+    stopped = None
+    with Console(stderr=True).status("starting") as status:
+        try:
+            for more in measure(techniques, sorted(set(counts)), size, turns, limit, status.update):
+                rows += more
+                # Kept, whatever comes after.
+                replace_file(csv, csv_of(rows))
+        except KeyboardInterrupt as error:
+            stopped = error
+    if rows:
+        write_chart(rows, png)
+        # Wide enough for all columns, also where the output is no terminal.
+        console = Console(width=max(Console().width, 100))
+        console.print(table_of(rows, size))
+        console.print(f"written: {csv}, {png}")
+    if stopped is not None:
+        raise stopped
+    return rows
