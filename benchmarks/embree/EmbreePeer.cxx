@@ -61,8 +61,8 @@ void Direction(const View& view, int x, int y, float (&direction)[3])
   }
 }
 
-void Write(
-  const View& view, const Picture& picture, int x, int y, unsigned id, float depth, float (&normal)[3])
+void Write(const View& view, const Picture& picture, int x, int y, unsigned id, float depth,
+  float (&normal)[3])
 {
   const std::int64_t pixel = static_cast<std::int64_t>(y) * picture.Width + x;
   if (id == RTC_INVALID_GEOMETRY_ID)
@@ -95,7 +95,8 @@ void Write(
 
 // Calls rtcIntersect1, 4, 8 or 16 for a block of so many pixels, as square as it can be.
 template <typename RayHit, int Number, int Columns, typename Intersect>
-void TracePacket(const View& view, const Picture& picture, int x0, int y0, const Intersect& intersect)
+void TracePacket(
+  const View& view, const Picture& picture, int x0, int y0, const Intersect& intersect)
 {
   alignas(64) RayHit packet;
   alignas(64) int valid[Number];
@@ -136,8 +137,8 @@ void TracePacket(const View& view, const Picture& picture, int x0, int y0, const
   }
 }
 
-void TraceSingle(
-  const View& view, const Picture& picture, int x, int y, RTCScene scene, RTCIntersectContext& context)
+void TraceSingle(const View& view, const Picture& picture, int x, int y, RTCScene scene,
+  RTCIntersectContext& context)
 {
   RTCRayHit one;
   std::memset(&one, 0, sizeof(one));
@@ -154,13 +155,15 @@ void TraceSingle(
   one.hit.geomID = one.hit.primID = one.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   rtcIntersect1(scene, &context, &one);
   float normal[3] = { one.hit.Ng_x, one.hit.Ng_y, one.hit.Ng_z };
-  Write(view, picture, x, y, one.hit.geomID == RTC_INVALID_GEOMETRY_ID ? one.hit.geomID : one.hit.primID,
-    one.ray.tfar, normal);
+  Write(view, picture, x, y,
+    one.hit.geomID == RTC_INVALID_GEOMETRY_ID ? one.hit.geomID : one.hit.primID, one.ray.tfar,
+    normal);
 }
 
 // Calls trace(x, y) for the lower left corners of blocks of columns x rows pixels, tile by tile.
 template <typename Trace>
-void ForEachBlock(const Peer& peer, const Picture& picture, int columns, int rows, const Trace& trace)
+void ForEachBlock(
+  const Peer& peer, const Picture& picture, int columns, int rows, const Trace& trace)
 {
   constexpr int side = 64;
   const int across = (picture.Width + side - 1) / side;
@@ -194,8 +197,7 @@ void ForEachBlock(const Peer& peer, const Picture& picture, int columns, int row
 }
 }
 
-extern "C"
-{
+extern "C" {
 /// Builds a scene of the best quality. `spheres` (count, 4) must stay; null if Embree cannot.
 void* spherepacking_embree_build(const float* spheres, std::int64_t count, int threads)
 {
@@ -222,8 +224,8 @@ std::int64_t spherepacking_embree_bytes(void* handle)
   return static_cast<Peer*>(handle)->Bytes;
 }
 
-/// `view` are five vectors: origin, direction, its steps along x and y, towards the eye. `packet` is
-/// the number of rays at once: 1, 4, 8 or 16.
+/// `view` are five vectors: origin, direction, its steps along x and y, towards the eye. `packet`
+/// is the number of rays at once: 1, 4, 8 or 16.
 void spherepacking_embree_trace(void* handle, const double* view, int packet, int width, int height,
   const unsigned char* colors, unsigned char* color, float* depth, float* normal, long long* id)
 {

@@ -128,7 +128,8 @@ def render(
     transparent
         Leave the background transparent.
     anti_aliasing
-        Smooth edges, by drawing a larger picture and averaging it.
+        Smooth edges, by drawing a larger picture and averaging it, or with opacity below 1 by a
+        filter over the picture.
     technique
         opengl draws as in a window; raycast casts rays on the processor, lit from the camera,
         without a scalar bar; bvh and grid draw the boxes of these structures around the spheres.
@@ -162,8 +163,7 @@ def render(
     plotter = pv.Plotter(off_screen=True, window_size=list(size))
     try:
         _set_background(plotter, background)
-        if anti_aliasing:
-            plotter.enable_anti_aliasing("ssaa")
+        _set_quality(plotter, opacity, anti_aliasing)
         look = _look(plotter, spheres, scalars, cmap, clim, log_scale, color)
         plotter.packing.add(
             spheres,
@@ -203,6 +203,16 @@ def _set_background(plotter: object, background: str | None) -> None:
 
     if background is not None:
         plotter.set_background(color_of("--background", background))
+
+
+def _set_quality(plotter: object, opacity: float, anti_aliasing: bool) -> None:
+    """Smooth edges, and mix what is seen through one another in the right order."""
+    if opacity < 1.0:
+        # Neither several samples a pixel nor VTK's larger picture go with peeling.
+        plotter.render_window.SetMultiSamples(1)
+        plotter.enable_depth_peeling()
+    if anti_aliasing:
+        plotter.enable_anti_aliasing("ssaa" if opacity == 1.0 else "fxaa")
 
 
 def _look(

@@ -111,6 +111,12 @@ def _write_whole(
     """
     # Some writers go by the extension, so the memory needs a name that has it.
     with TemporaryDirectory() as folder, os.fdopen(os.memfd_create("picture"), "rb") as memory:
+        try:
+            # A limit on the size of files holds for memory, too: the most that it may need must fit.
+            os.truncate(memory.fileno(), 2 * pixels.nbytes + 65536)
+            os.truncate(memory.fileno(), 0)
+        except OSError as error:
+            raise OSError(f"{path}: the picture cannot be written ({error.strerror})") from error
         name = Path(folder, f"picture{path.suffix}")
         name.symlink_to(f"/proc/self/fd/{memory.fileno()}")
         written = output.open(str(name), spec) and output.write_image(pixels)

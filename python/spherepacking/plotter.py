@@ -114,7 +114,8 @@ class PackingComponent:
             From 0 to 1: of all spheres, or one a sphere (n,) or the name of such a point array; or
             a transfer function along the colour map, as an array or by name. Spheres behind one
             another mix in the right order after :meth:`pyvista.Plotter.enable_depth_peeling`;
-            with OSMesa that needs ``pyvista.Plotter(multi_samples=1)``, for meshes too.
+            with OSMesa that needs ``pyvista.global_theme.multi_samples = 1`` before the plotter is
+            made, for meshes too.
         radius : str or array_like, default: "radius"
             Radii in the unit of the points: the name of a point array, an array (n,), or one
             number for all spheres. Zero is legal and draws nothing.

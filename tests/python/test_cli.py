@@ -176,6 +176,23 @@ def test_render_scalars_and_bar(file):
     assert not np.array_equal(with_bar, without)
 
 
+def test_what_is_in_front_is_seen_first_through_what_is_transparent(tmp_path):
+    path = tmp_path / "two.csv"
+    path.write_text("x,y,z,r,side\n0,0,0,1,0\n0,0,3,0.5,1\n")
+    view = ["--up", 0, 1, 0, "--scalars", "side", "--cmap", "coolwarm", "--no-scalar-bar"]
+    middles = []
+    for z in (12, -12):
+        for more in ([], ["--no-anti-aliasing"]):
+            look = [*view, "--camera", 0, 0, z, "--opacity", 0.6, "--size", 200, 200, *more]
+            picture = draw(path, *look).astype(int)
+            middles.append(picture[100, 100])
+    # Blue is at 0, red at 3.
+    assert (middles[0] == middles[1]).all()
+    assert (middles[2] == middles[3]).all()
+    assert middles[0][0] > middles[0][2] + 50
+    assert middles[2][2] > middles[2][0] + 50
+
+
 def test_render_opacity(file):
     solid = draw(file, *PLAIN, "--no-anti-aliasing").max(axis=-1).astype(float)
     half = draw(file, *PLAIN, "--no-anti-aliasing", "--opacity", 0.5).max(axis=-1).astype(float)

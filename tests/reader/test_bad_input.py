@@ -161,8 +161,23 @@ TEXTS = {
     ),
     "csv, no row": ("p.csv", "x,y,z,r\n", None, "no sphere", "lines"),
     "pqr, no atom": ("p.pqr", "REMARK 1\nEND\n", None, "no sphere", "ATOM or HETATM records"),
-    "pqr, no radius": ("p.pqr", "ATOM 1 N GLY A 1.0 2.0 3.0 0.5\n", 1, "'A' as x", "a number"),
-    "pqr, short": ("p.pqr", "REMARK\nATOM 1 2\n", 2, "'ATOM' as x", "a number"),
+    "pqr, no radius": ("p.pqr", "ATOM 1 N GLY 1 1 2 3 0.5\n", 1, "9 columns", "10 or more"),
+    "pqr, chain but no radius": (
+        "p.pqr",
+        "ATOM 1 N GLY A 12 1.0 2.0 3.0 0.5\n",
+        1,
+        "10 columns 'ATOM 1 N GLY A 12 1.0 2.0 3.0 0.5'",
+        "10 or more that end with x y z charge radius",
+    ),
+    "pqr, short": ("p.pqr", "REMARK\nATOM 1 2\n", 2, "3 columns 'ATOM 1 2'", "10 or more"),
+    "diameter in a comment of another length": (
+        "p.spheres",
+        "# x y z d and so on\n1 2 3 4 5\n",
+        1,
+        "a diameter among the 7 names 'x y z d and so on' over rows of 5 columns",
+        "a name for each column",
+    ),
+    "text as xyzd": ("p.xyzd", "1 2 3 4\n" * 4, None, "text", "x y z diameter as float64"),
     "pqr, negative": (
         "p.pqr",
         "ATOM 1 N GLY 1 1 2 3 0.5 -1\n",
@@ -322,19 +337,29 @@ def test_bad_xyzd(read_error, tmp_path, sphere, found):
 @pytest.mark.parametrize(
     ("text", "found"),
     [
-        ("Final Porosity: 0.3\n", "no such line for 'Theoretical Porosity:'"),
-        ("Theoretical Porosity: 0.3\n", "no such line for 'Final Porosity:'"),
-        ("Theoretical Porosity: 1.5\nFinal Porosity: 0.3\n", "'1.5' for 'Theoretical Porosity:'"),
-        ("Theoretical Porosity: 0.3\nFinal Porosity: many\n", "'many' for 'Final Porosity:'"),
-        ("Theoretical Porosity: 0.3\nFinal Porosity: nan\n", "'nan' for 'Final Porosity:'"),
+        ("Final Porosity: 0.3\n", ": found no such line for 'Theoretical Porosity:'"),
+        ("Theoretical Porosity: 0.3\n", ": found no such line for 'Final Porosity:'"),
+        ("Theoretical Porosity: 1.5\nFinal Porosity: 0.3\n", ", line 1: found '1.5' for 'Theo"),
+        ("Theoretical Porosity: 0\nFinal Porosity: many\n", ", line 2: found 'many' for 'Final"),
+        ("Theoretical Porosity: 0.3\nFinal Porosity: nan\n", ", line 2: found 'nan' for 'Final"),
+        ("Theoretical Porosity: 0\n\nFinal Porosity: 0,36", ", line 3: found '0,36' for 'Final"),
+        ("Theoretical Porosity: 0.3foo\nFinal Porosity: 0\n", ", line 1: found '0.3foo' for 'The"),
+        ("Theoretical Porosity: 0.3\nFinal Porosity:", ", line 2: found '' for 'Final Porosity:'"),
     ],
 )
 def test_bad_nfo(read_error, tmp_path, text, found):
     (tmp_path / "p.xyzd").write_bytes(struct.pack("<4d", 0, 0, 0, 1))
     (tmp_path / "p.nfo").write_text(text)
     message, _ = read_error(tmp_path / "p.xyzd")
-    assert message.startswith(f"{tmp_path / 'p.nfo'}: found {found}")
+    assert message.startswith(f"{tmp_path / 'p.nfo'}{found}")
     assert "expected a number from 0 to below 1" in message
+
+
+def test_an_empty_nfo(read_error, tmp_path):
+    (tmp_path / "p.xyzd").write_bytes(struct.pack("<4d", 0, 0, 0, 1))
+    (tmp_path / "p.nfo").touch()
+    message, _ = read_error(tmp_path / "p.xyzd")
+    assert message == f"{tmp_path / 'p.nfo'}: the file is empty, expected two porosities"
 
 
 def test_rubbish_never_passes_nor_crashes(tmp_path):

@@ -64,9 +64,37 @@ def test_a_header_gives_the_order_and_diameters_are_halved(read_text, header):
     assert packing[header.split()[-4]].tolist() == [7, 8]
 
 
+@pytest.mark.parametrize(
+    "comment",
+    [
+        "# x y z diameter (mm)",
+        "# x y z diameter(mm)",
+        "# X,Y,Z,D [m]",
+        "# columns: x y z diameter",
+        "#X Y Z Diam",
+        "# x y z diameter\n# lengths in mm\n#",
+        "# x y z r m\n# x: y: z: d:",
+    ],
+)
+@pytest.mark.parametrize("name", ["p.spheres", "p.xyzr", "p.txt"])
+def test_a_comment_names_a_diameter(read_text, comment, name):
+    assert read_text(f"{comment}\n1 2 3 4\n", name)["radius"].tolist() == [2]
+
+
 def test_a_comment_of_another_length_is_no_header(read_text):
-    packing = read_text("# x y z d and so on\n1 2 3 4 5\n")
+    packing = read_text("# x y z r and so on\n1 2 3 4 5\n")
     assert packing["radius"].tolist() == [4]
+
+
+def test_the_last_comment_that_names_columns_counts(read_text):
+    packing = read_text("# x y z d id\n# id x y z radius\n# 1 2 3 4\n9 1 2 3 4\n")
+    assert packing.points.tolist() == [[1, 2, 3]]
+    assert packing["radius"].tolist() == [4]
+
+
+def test_a_header_with_units(read_text):
+    packing = read_text("x [m],y [m],z [m],diameter [mm]\n1,2,3,4\n", "p.csv")
+    assert packing["radius"].tolist() == [2]
 
 
 def test_xyzr_takes_the_last_four_columns_of_numbers(read_text):

@@ -15,7 +15,8 @@
  * sheared, as by stereo, is an error. Several samples a pixel smooth no silhouette, which is exact
  * at the pixel's centre. A sphere has one colour, so
  * InterpolateScalarsBeforeMapping is always off. Cells are ignored; representation, edges and
- * textures have no meaning for spheres. A vtkHardwareSelector that looks for points finds point
+ * textures have no meaning for spheres, and where one is cut its opaque inside is seen whatever the
+ * culling, in the colours of its outside. A vtkHardwareSelector that looks for points finds point
  * ids; one that looks for cells finds the same ids, which are those of the cells where the input
  * has one vertex cell a point in order.
  *

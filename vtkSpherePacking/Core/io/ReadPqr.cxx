@@ -7,8 +7,8 @@
 namespace spherepacking
 {
 //------------------------------------------------------------------------------
-// The fields of a PQR record are separated by blanks; the chain is optional, so the five at its
-// end are the ones that are sure.
+// The fields of a PQR record are separated by blanks: ATOM, number, name, residue, chain, number of
+// the residue, x, y, z, charge and radius. The chain is optional, so they are counted from the end.
 PackingArrays ReadPqr(const ReadOptions& options, Progress& progress)
 {
   progress.SetRange(0.0, 0.2);
@@ -17,7 +17,7 @@ PackingArrays ReadPqr(const ReadOptions& options, Progress& progress)
   layout.Rows = RowKind::Atom;
   layout.Columns = { { ColumnRole::X, "x" }, { ColumnRole::Y, "y" }, { ColumnRole::Z, "z" },
     { ColumnRole::Extra, "charge" }, { ColumnRole::Radius, "radius" } };
-  layout.Expected = "a record that ends with x y z charge radius";
+  layout.Expected = "10 or more that end with x y z charge radius";
   progress.SetRange(0.2, 0.3);
   const TextRange text{ SkipUtf8Mark(bytes.Begin(), bytes.End()), bytes.End() };
   const auto chunks = CutIntoChunks(text, layout.Rows, options.ChunkSize, 0, progress);

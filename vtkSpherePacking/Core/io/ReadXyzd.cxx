@@ -10,6 +10,7 @@
 #include "vtkErrorCode.h"
 #include "vtksys/SystemTools.hxx"
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <cstring>
@@ -90,6 +91,40 @@ void Unpack(const ReadOptions& options, const FileBytes& bytes, double scale, Pa
 }
 
 //------------------------------------------------------------------------------
+namespace
+{
+// Whether all bytes are printed characters or blanks, which those of four float64 hardly ever are.
+bool LooksLikeText(const FileBytes& head)
+{
+  return std::all_of(head.Begin(), head.End(),
+    [](char c) { return (c >= ' ' && c <= '~') || c == '\t' || IsLineEnd(c); });
+}
+
+// The number after `label`, with blanks around it.
+double Porosity(const std::string& file, const FileBytes& bytes, std::string_view label)
+{
+  const std::string_view text(bytes.Begin(), bytes.End() - bytes.Begin());
+  const std::size_t at = text.find(label);
+  const std::string expected =
+    " for '" + std::string(label) + "', expected a number from 0 to below 1";
+  if (at == text.npos)
+  {
+    throw PackingFileError(vtkErrorCode::FileFormatError, file + ": found no such line" + expected);
+  }
+  const char* first = SkipBlanks(text.data() + at + label.size(), bytes.End());
+  const char* last =
+    std::find_if(first, bytes.End(), [](char c) { return IsBlank(c) || IsLineEnd(c); });
+  double porosity = -1.0;
+  if (ParseNumber(first, bytes.End(), porosity) != last || !(porosity >= 0.0 && porosity < 1.0))
+  {
+    ThrowAtLine(
+      file, 1 + CountLineEnds(bytes.Begin(), first), "found " + Quote(first, last) + expected);
+  }
+  return porosity;
+}
+}
+
+//------------------------------------------------------------------------------
 double DiameterScale(const std::string& xyzdFile)
 {
   using vtksys::SystemTools;
@@ -100,23 +135,13 @@ double DiameterScale(const std::string& xyzdFile)
   {
     return 1.0;
   }
-  const FileBytes bytes = FileBytes::ReadHead(file, 1 << 16);
-  const std::string_view text(bytes.Begin(), bytes.End() - bytes.Begin());
-  const auto find = [&](std::string_view label)
+  if (SystemTools::FileLength(file) == 0)
   {
-    const std::size_t at = text.find(label);
-    double porosity = -1.0;
-    const char* p =
-      at == text.npos ? nullptr : SkipBlanks(text.data() + at + label.size(), bytes.End());
-    if (!p || !ParseNumber(p, bytes.End(), porosity) || !(porosity >= 0.0 && porosity < 1.0))
-    {
-      throw PackingFileError(vtkErrorCode::FileFormatError,
-        file + ": found " +
-          (p ? Quote(p, Separators::Liberal().FieldEnd(p)) : std::string("no such line")) +
-          " for '" + std::string(label) + "', expected a number from 0 to below 1");
-    }
-    return porosity;
-  };
+    throw PackingFileError(
+      vtkErrorCode::FileFormatError, file + ": the file is empty, expected two porosities");
+  }
+  const FileBytes bytes = FileBytes::ReadHead(file, 1 << 16);
+  const auto find = [&](std::string_view label) { return Porosity(file, bytes, label); };
   // V. Baranau and U. Tallarek, "Random-close packing limits for monodisperse and polydisperse
   // hard spheres", 2014, whose program stores the diameters before its last rescaling.
   return std::cbrt((1.0 - find("Final Porosity:")) / (1.0 - find("Theoretical Porosity:")));
@@ -132,6 +157,11 @@ PackingArrays ReadXyzd(const ReadOptions& options, Progress& progress)
       options.File + ": found " + std::to_string(size) + " bytes, which end within sphere " +
         std::to_string(size / SphereBytes + 1) +
         ", expected a multiple of 32: x y z diameter as float64");
+  }
+  if (LooksLikeText(FileBytes::ReadHead(options.File, SphereBytes)))
+  {
+    throw PackingFileError(vtkErrorCode::FileFormatError,
+      options.File + ": found text, expected x y z diameter as float64, 32 bytes a sphere");
   }
   const double scale = DiameterScale(options.File);
   progress.SetRange(0.0, 0.5);

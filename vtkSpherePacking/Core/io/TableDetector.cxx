@@ -16,10 +16,29 @@ using Fields = std::vector<std::string_view>;
 // The lines that tell the columns.
 struct Head
 {
-  std::string_view YadeNames; // the word after #format
-  TextRange Comment{ nullptr, nullptr, 0 };
+  std::string_view YadeNames;               // the word after #format
+  TextRange Comment{ nullptr, nullptr, 0 }; // the last one that names columns, if any
   TextRange Row{ nullptr, nullptr, 0 };
 };
+
+// The names that a comment may give to columns: its words, but for units and for what announces
+// names, such as "columns:".
+Fields NamesOfComment(const char* words)
+{
+  Fields names;
+  for (std::string_view word : Separators::Liberal().Split(words))
+  {
+    const bool colon = !word.empty() && word.back() == ':';
+    const bool announces = colon && names.empty() && word.size() > 2;
+    const bool unit = !word.empty() && (word.front() == '(' || word.front() == '[');
+    if (!announces && !unit)
+    {
+      word.remove_suffix(colon ? 1 : 0);
+      names.push_back(word);
+    }
+  }
+  return names;
+}
 
 Head FindHead(const std::string& file, const TextRange& text)
 {
@@ -42,7 +61,11 @@ Head FindHead(const std::string& file, const TextRange& text)
       {
         ++words;
       }
-      head.Comment = { words, end, number };
+      std::string complaint;
+      if (ColumnsFromNames(NamesOfComment(words), complaint))
+      {
+        head.Comment = { words, end, number };
+      }
       const Fields fields = Separators::Liberal().Split(words);
       if (first + 1 == words && fields.size() >= 2 && fields[0] == "format" && *words == 'f')
       {
@@ -192,22 +215,33 @@ std::vector<Column> ColumnsOfYade(const std::string& file, const Head& head, con
   return *columns;
 }
 
-// The columns that a comment names, when there are as many as in a row.
-bool ColumnsFromComment(const Head& head, const Fields& fields, std::vector<Column>& columns)
+// The columns that a comment names, when there are as many as in a row. Throws when there are not
+// and a diameter is among them, which would pass as a radius.
+bool ColumnsFromComment(
+  const std::string& file, const Head& head, const Fields& fields, std::vector<Column>& columns)
 {
   if (!head.Comment.Begin)
   {
     return false;
   }
-  const Fields names = Separators::Liberal().Split(head.Comment.Begin);
+  const Fields names = NamesOfComment(head.Comment.Begin);
   std::string complaint;
   auto found = ColumnsFromNames(names, complaint);
-  if (!found || !complaint.empty() || names.size() != fields.size())
+  if (complaint.empty() && names.size() == fields.size())
   {
-    return false;
+    columns = std::move(*found);
+    return true;
   }
-  columns = std::move(*found);
-  return true;
+  if (std::any_of(found->begin(), found->end(),
+        [](const Column& column) { return column.Role == ColumnRole::Diameter; }))
+  {
+    ThrowAtLine(file, head.Comment.FirstLine,
+      "found a diameter among the " + std::to_string(names.size()) + " names " +
+        Quote(SkipBlanks(head.Comment.Begin, head.Comment.End), head.Comment.End) +
+        " over rows of " + std::to_string(fields.size()) +
+        " columns, expected a name for each column");
+  }
+  return false;
 }
 
 void DetectCsv(const std::string& file, const Head& head, TableLayout& layout, TextRange& text)
@@ -219,7 +253,7 @@ void DetectCsv(const std::string& file, const Head& head, TableLayout& layout, T
   const Fields fields = layout.Between.Split(head.Row.Begin);
   const bool numbers = !fields.empty() &&
     std::all_of(fields.begin(), fields.end(), [](auto f) { return IsNumber(f); });
-  if (numbers && ColumnsFromComment(head, fields, layout.Columns))
+  if (numbers && ColumnsFromComment(file, head, fields, layout.Columns))
   {
     return;
   }
@@ -252,7 +286,7 @@ void DetectPlain(
       "found what looks like decimal commas in " + Quote(head.Row.Begin, head.Row.End) +
         ", expected decimal points");
   }
-  if (!ColumnsFromComment(head, fields, layout.Columns))
+  if (!ColumnsFromComment(file, head, fields, layout.Columns))
   {
     layout.Columns = !head.YadeNames.empty() ? ColumnsOfYade(file, head, fields)
       : format == Format::Xyzr               ? LastFourNumeric(file, head, fields)

@@ -14,13 +14,21 @@ namespace spherepacking
 {
 namespace
 {
+// "diameter" of "diameter [mm]" and "diameter(mm)".
+std::string_view WithoutUnit(std::string_view name)
+{
+  const std::size_t unit = std::min(name.find_first_of("(["), name.size());
+  const std::size_t last = name.substr(0, unit).find_last_not_of(" \t");
+  return name.substr(0, last == name.npos ? 0 : last + 1);
+}
+
 ColumnRole RoleOfName(std::string_view name)
 {
   static const std::map<std::string, ColumnRole> roles{ { "x", ColumnRole::X },
     { "y", ColumnRole::Y }, { "z", ColumnRole::Z }, { "r", ColumnRole::Radius },
-    { "radius", ColumnRole::Radius }, { "d", ColumnRole::Diameter },
-    { "diameter", ColumnRole::Diameter } };
-  std::string lower(name);
+    { "radius", ColumnRole::Radius }, { "rad", ColumnRole::Radius }, { "d", ColumnRole::Diameter },
+    { "diameter", ColumnRole::Diameter }, { "diam", ColumnRole::Diameter } };
+  std::string lower(WithoutUnit(name));
   // Not std::tolower, which depends on the locale.
   std::transform(lower.begin(), lower.end(), lower.begin(),
     [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });

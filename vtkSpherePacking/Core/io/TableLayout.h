@@ -47,8 +47,9 @@ struct TableLayout
 };
 
 /**
- * Roles after the names of columns in any letter case: x, y, z, r or radius, d or diameter. With a
- * radius a diameter is a further column. Nothing when a coordinate or both sizes are missing.
+ * Roles after the names of columns in any letter case: x, y, z, r, rad or radius, d, diam or
+ * diameter; a unit in brackets may follow. With a radius a diameter is a further column. Nothing
+ * when a coordinate or both sizes are missing.
  * `complaint` is set when a name stands twice.
  */
 std::optional<std::vector<Column>> ColumnsFromNames(

@@ -4,7 +4,9 @@
 #include "io/PackingFileError.h"
 #include "io/RowParser.h"
 
+#include <algorithm>
 #include <memory>
+#include <string_view>
 
 namespace spherepacking
 {
@@ -16,6 +18,25 @@ struct BadRow
   const char* Row = nullptr; // where parsing began, which is not the line for an ATOM record
   RowFault Fault{};
 };
+
+// Whether ATOM, number, name, residue and number of the residue stand in [begin, end), at least.
+// Without one of these, what is last in the record is something else than it should be.
+bool HasFrontOfAtom(const TableLayout& layout, const char* begin, const char* end)
+{
+  constexpr std::size_t least = 5;
+  std::size_t count = 0;
+  std::string_view last;
+  for (const char* p = SkipBlanks(begin, end); p != end; p = SkipBlanks(p, end))
+  {
+    const char* next = std::min(layout.Between.FieldEnd(p), end);
+    next += next == p; // a lone separator
+    last = std::string_view(p, next - p);
+    p = next;
+    ++count;
+  }
+  // A chain's letter in the place of the residue's number: that has no digit.
+  return count > least || (count == least && last.find_first_of("0123456789") != last.npos);
+}
 
 // Where the fields of interest begin in an ATOM record, which has them last, after a varying
 // number of others (T. Dolinsky et al., "PDB2PQR", 2004).
@@ -47,7 +68,13 @@ void ParseChunk(
     const char* end = p;
     if (IsRow(layout.Rows, p, chunk.End))
     {
-      const char* first = layout.Rows == RowKind::Atom ? FirstField(layout, p, find(p)) : p;
+      const bool atom = layout.Rows == RowKind::Atom;
+      const char* first = atom ? FirstField(layout, p, find(p)) : p;
+      if (atom && !HasFrontOfAtom(layout, p, first))
+      {
+        bad = { p, p, { RowFault::TooFewColumns, 0, p } };
+        return;
+      }
       end = parser.Parse(first, row, bad.Fault);
       if (!end)
       {
