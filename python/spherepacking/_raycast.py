@@ -47,6 +47,10 @@ class Caster:
 
     def __init__(self) -> None:
         self._tracer: vtkSpherePackingTracer | None = None
+        # When what the tracer has was last changed; checking and colouring again take as long as
+        # casting rays.
+        self._state: tuple[int, ...] | None = None
+        self._look: tuple[object, ...] | None = None
 
     def prepare(
         self,
@@ -67,16 +71,21 @@ class Caster:
             cuts = arguments.count_of("cuts", cuts, least=0)
         size = arguments.size_of("window_size", window_size, most=_LARGEST_SIZE)
         camera = camera_of(camera)
-        if packing.n_points:
-            arguments.radii_of(packing, "radius")
+        state = _state_of(packing)
+        if state != self._state:
+            self._state = self._look = None
+            if packing.n_points:
+                arguments.radii_of(packing, "radius")
         if self._tracer is None:
             self._tracer = vtkSpherePackingTracer()
             # Errors are raised, not printed.
             self._tracer.AddObserver("ErrorEvent", _ignore)
             self._tracer.GetExecutive().AddObserver("ErrorEvent", _ignore)
         tracer = self._tracer
-        # Shares the arrays; the packing itself would be kept alive by its own accessor.
-        tracer.SetInputData(packing.copy(deep=False))
+        if self._state is None:
+            # Shares the arrays; the packing itself would be kept alive by its own accessor.
+            tracer.SetInputData(packing.copy(deep=False))
+            self._state = state
         tracer.SetCamera(camera)
         tracer.SetWindowSize(size)
         tracer.SetStructure(STRUCTURES.index(structure))
@@ -97,13 +106,18 @@ class Caster:
         tile = 64 if tile is None else tile
         tile = (tile, tile) if np.ndim(tile) == 0 else tile
         tracer.SetTileSize(arguments.size_of("tile", tile, most=_LARGEST_SIZE))
-        _set_look(tracer, packing, **look)
+        key = _key_of(packing, **look)
+        if key is None or key != self._look:
+            self._look = None
+            _set_look(tracer, packing, **look)
+            self._look = key
+        # The picture of the last time belongs to whoever asked for it.
+        tracer.Modified()
         with progress_bar(tracer, "casting rays", delay=0.0 if progress else np.inf):
             tracer.Update()
         if tracer.GetErrorMessage():
             raise ValueError(tracer.GetErrorMessage())
         image = pv.ImageData()
-        # The next picture is another one.
         image.ShallowCopy(tracer.GetOutput())
         return image
 
@@ -125,6 +139,38 @@ class Caster:
         # From the sphere, so that the point keeps its digits however far the camera is.
         radius = float(packing.point_data["radius"][sphere])
         return Pick(sphere, np.asarray(packing.points[sphere], float) + radius * normal, normal)
+
+
+def _state_of(packing: pv.PolyData) -> tuple[int, ...] | None:
+    """When centres and radii were last changed, which no two of VTK's arrays have in common."""
+    radii = packing.GetPointData().GetAbstractArray("radius")
+    if not packing.n_points or radii is None:
+        return None
+    points = packing.GetPoints()
+    return points.GetMTime(), points.GetData().GetMTime(), radii.GetMTime()
+
+
+def _key_of(
+    packing: pv.PolyData,
+    scalars: str | ArrayLike | None,
+    cmap: str | list[ColorLike] | pv.LookupTable | None,
+    clim: Sequence[float] | float | None,
+    log_scale: bool,
+    color: ColorLike | None,
+    random_colors: bool,
+) -> tuple[object, ...] | None:
+    """What the colours depend on, None if that cannot be told without looking at all of it."""
+    if scalars is None:
+        array = packing.GetPointData().GetScalars()
+    elif isinstance(scalars, str):
+        array = packing.GetPointData().GetAbstractArray(scalars)
+    else:
+        return None
+    if isinstance(cmap, pv.LookupTable):
+        cmap = ("table", cmap.GetMTime())
+    words = (scalars, cmap, clim, log_scale, color, random_colors)
+    theme = pv.global_theme
+    return (array and array.GetMTime(), repr(words), repr(theme.cmap), repr(theme.color))
 
 
 def _ignore(*_: object) -> None:

@@ -112,7 +112,7 @@ def _write_whole(
     # Some writers go by the extension, so the memory needs a name that has it.
     with TemporaryDirectory() as folder, os.fdopen(os.memfd_create("picture"), "rb") as memory:
         try:
-            # A limit on the size of files holds for memory, too: the most that it may need must fit.
+            # A limit on the size of files holds for memory, too: the most that it needs must fit.
             os.truncate(memory.fileno(), 2 * pixels.nbytes + 65536)
             os.truncate(memory.fileno(), 0)
         except OSError as error:

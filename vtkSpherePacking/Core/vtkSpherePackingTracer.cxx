@@ -119,6 +119,12 @@ void AddExtents(vtkDataObject* output, const std::vector<spherepacking::Tile>& t
   output->GetFieldData()->AddArray(array);
 }
 
+vtkMTimeType LastChange(vtkPolyData* packing, vtkAbstractArray* radii)
+{
+  vtkPoints* points = packing->GetPoints();
+  return std::max({ points->GetMTime(), points->GetData()->GetMTime(), radii->GetMTime() });
+}
+
 void ShowNothing(const spherepacking::Picture& picture, const spherepacking::Tile& tile)
 {
   for (int y = tile.Y; y < tile.Y + tile.Height; ++y)
@@ -239,8 +245,27 @@ void vtkSpherePackingTracer::Check() const
 }
 
 //------------------------------------------------------------------------------
+bool vtkSpherePackingTracer::IsPrepared(vtkPolyData* packing) const
+{
+  const vtkSpherePackingTracerInternals& kept = *this->Internals;
+  if (!kept.Radii || !packing || !packing->GetPoints())
+  {
+    return false;
+  }
+  vtkAbstractArray* radii =
+    packing->GetPointData()->GetAbstractArray(this->RadiusArrayName.c_str());
+  return kept.Points == packing->GetPoints()->GetData() && kept.Radii == radii &&
+    kept.Time == LastChange(packing, radii) && kept.Structure == this->Structure &&
+    kept.Cuts == this->Cuts;
+}
+
+//------------------------------------------------------------------------------
 void vtkSpherePackingTracer::Prepare(vtkPolyData* packing)
 {
+  if (this->IsPrepared(packing))
+  {
+    return;
+  }
   vtkNew<vtkSpherePackingInput> check;
   vtkDataArray* radii = check->FindRadii(packing, this->RadiusArrayName.c_str());
   if (*check->GetMessage())
@@ -253,22 +278,14 @@ void vtkSpherePackingTracer::Prepare(vtkPolyData* packing)
     kept = vtkSpherePackingTracerInternals();
     return;
   }
-  vtkDataArray* points = packing->GetPoints()->GetData();
-  const vtkMTimeType time =
-    std::max({ packing->GetPoints()->GetMTime(), points->GetMTime(), radii->GetMTime() });
-  if (kept.Points == points && kept.Radii == radii && kept.Time == time &&
-    kept.Structure == this->Structure && kept.Cuts == this->Cuts)
-  {
-    return;
-  }
   kept = vtkSpherePackingTracerInternals();
   const auto start = std::chrono::steady_clock::now();
   kept.Arrays.reset(new vtkSpherePackingArrays(packing, radii));
   this->BuildStructure(packing, radii);
   kept.BuildSeconds = Seconds(std::chrono::steady_clock::now() - start).count();
-  kept.Points = points;
+  kept.Points = packing->GetPoints()->GetData();
   kept.Radii = radii;
-  kept.Time = time;
+  kept.Time = LastChange(packing, radii);
   kept.Structure = this->Structure;
   kept.Cuts = this->Cuts;
 }

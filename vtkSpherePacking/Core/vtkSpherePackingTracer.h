@@ -180,6 +180,7 @@ private:
   void operator=(const vtkSpherePackingTracer&) = delete;
   int Fail(const std::string& message);
   void Check() const;
+  bool IsPrepared(vtkPolyData* packing) const;
   void Prepare(vtkPolyData* packing);
   void BuildStructure(vtkPolyData* packing, vtkDataArray* radii);
   void FindColors(vtkPolyData* packing);

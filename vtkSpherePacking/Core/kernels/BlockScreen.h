@@ -10,13 +10,15 @@ namespace spherepacking
 {
 inline namespace SPHEREPACKING_ISA
 {
-/// Columns and rows of a block that each sphere of a leaf may cover.
+/// Columns and rows of a block that each sphere of a leaf may cover, and the least depth at which it
+/// may be hit, as that of Frustum.
 struct LeafParts
 {
   alignas(32) std::int32_t X0[BvhLeaf::Width];
   alignas(32) std::int32_t X1[BvhLeaf::Width];
   alignas(32) std::int32_t Y0[BvhLeaf::Width];
   alignas(32) std::int32_t Y1[BvhLeaf::Width];
+  alignas(32) float Nearest[BvhLeaf::Width];
 
   BlockPart Of(int i) const { return { this->X0[i], this->X1[i], this->Y0[i], this->Y1[i] }; }
 };
@@ -51,6 +53,7 @@ public:
     const Float8 radius = Load<Float8>(leaf.Radius) * bvh.LeafScale;
     const Float8 depth = this->Z.Dot(center);
     const Float8 nearest = depth - radius - this->Z.Error;
+    Store(nearest, parts.Nearest);
     const Int8 ahead = (depth + radius + this->Z.Error > 0.0f) & (nearest <= last);
     // What reaches the plane of the eye may be anywhere.
     const Int8 everywhere = this->Parallel ? Int8{} : nearest <= 1e-6f * depth;

@@ -31,6 +31,7 @@ public:
     this->AddSide(3, high, alongX, middle, bvh);
     this->Add(Ahead, screen.Z, middle.O, bvh);
     this->PerDepth = bvh.Scale / this->Length;
+    this->DepthPerScaled = this->Length / bvh.Scale;
   }
 
   /// A depth as the least depths of Test() are measured, rounded up.
@@ -38,6 +39,9 @@ public:
   {
     return static_cast<float>(std::min(depth * this->PerDepth, 3e38)) * (1.0f + 1e-6f);
   }
+
+  /// A scaled depth as a depth, rounded down.
+  double Depth(float scaled) const { return scaled * (this->DepthPerScaled * (1.0 - 1e-6)); }
 
   /// Which of the eight boxes may be seen before the depth `last`, a bit each, and the least depths
   /// of them all.
@@ -109,6 +113,7 @@ private:
   float NearD;
   double Length;
   double PerDepth;
+  double DepthPerScaled;
 };
 }
 }

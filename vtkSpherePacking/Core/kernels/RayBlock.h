@@ -65,14 +65,19 @@ struct RayBlock
     return { { this->OX[i], this->OY[i], this->OZ[i] }, { this->DX[i], this->DY[i], this->DZ[i] } };
   }
 
-  /// Tests a sphere against the rays of `part`, and some beside them.
-  void Offer(const Sphere& sphere, std::int64_t key, const BlockPart& part)
+  /// Tests a sphere, which has no hit before `nearest`, against the rays of `part`, and some beside
+  /// them.
+  void Offer(const Sphere& sphere, std::int64_t key, const BlockPart& part, double nearest)
   {
     for (int row = part.Y0; row <= part.Y1; ++row)
     {
       for (int quad = part.X0 / Lanes; quad <= part.X1 / Lanes; ++quad)
       {
-        this->OfferLanes(sphere, key, row * Side + quad * Lanes);
+        const int first = row * Side + quad * Lanes;
+        if (Any(nearest <= Load<Double4>(this->T + first)))
+        {
+          this->OfferLanes(sphere, key, first);
+        }
       }
     }
   }

@@ -25,7 +25,7 @@ inline void TraceBlock(const SphereArrays& spheres, RayBlock& block)
 {
   for (std::int64_t i = 0; i < spheres.Count; ++i)
   {
-    block.Offer(spheres[i], MakeKey(i, 0), BlockPart());
+    block.Offer(spheres[i], MakeKey(i, 0), BlockPart(), 0.0);
   }
 }
 }

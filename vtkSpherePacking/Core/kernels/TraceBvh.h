@@ -111,7 +111,8 @@ private:
       const int i = __builtin_ctz(seen);
       const Sphere sphere = exact ? leaf.At(i) : this->Spheres[leaf.Ids[i]];
       const std::uint32_t place = index * BvhLeaf::Width + static_cast<std::uint32_t>(i);
-      this->Block.Offer(sphere, MakeKey(leaf.Ids[i], place), parts.Of(i));
+      this->Block.Offer(sphere, MakeKey(leaf.Ids[i], place), parts.Of(i),
+        this->View.Depth(parts.Nearest[i]));
     }
     if (offered)
     {
