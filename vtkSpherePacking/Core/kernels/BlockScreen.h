@@ -10,8 +10,8 @@ namespace spherepacking
 {
 inline namespace SPHEREPACKING_ISA
 {
-/// Columns and rows of a block that each sphere of a leaf may cover, and the least depth at which it
-/// may be hit, as that of Frustum.
+/// Columns and rows of a block that each sphere of a leaf may cover, and the least depth at which
+/// it may be hit, as that of Frustum.
 struct LeafParts
 {
   alignas(32) std::int32_t X0[BvhLeaf::Width];

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// What a block of rays can see, against the eight boxes of a node of the hierarchy at once.
+/// What a block of rays and its quarters can see, against the eight boxes of a node of the
+/// hierarchy at once.
 #ifndef Frustum_h
 #define Frustum_h
 
@@ -10,7 +11,23 @@ namespace spherepacking
 {
 inline namespace SPHEREPACKING_ISA
 {
-/// Half spaces n.p + d >= 0 in the hierarchy's coordinates: the four sides and what is ahead.
+/// Boxes of a node that may be seen, a bit each.
+struct SeenBoxes
+{
+  unsigned All;
+  unsigned Halves[2][2]; ///< which of them in the left and right, and the lower and upper half
+  float Depth[BvhNode::Width]; ///< the least of each
+
+  /// In which quarters box i may be seen, a bit each, as RayBlock counts them.
+  unsigned QuartersOf(int i) const
+  {
+    const unsigned row = (this->Halves[0][0] >> i & 1u) | (this->Halves[0][1] >> i & 1u) << 1;
+    return (this->Halves[1][0] >> i & 1u) * row | (this->Halves[1][1] >> i & 1u) * (row << 2);
+  }
+};
+
+/// Half spaces n.p + d >= 0 in the hierarchy's coordinates: the four sides, what is ahead, and the
+/// right and the upper half.
 class Frustum
 {
 public:
@@ -32,6 +49,8 @@ public:
     this->Add(Ahead, screen.Z, middle.O, bvh);
     this->PerDepth = bvh.Scale / this->Length;
     this->DepthPerScaled = this->Length / bvh.Scale;
+    this->AddSide(Right, middle, alongY, high, bvh);
+    this->AddSide(Upper, middle, alongX, high, bvh);
   }
 
   /// A depth as the least depths of Test() are measured, rounded up.
@@ -43,23 +62,30 @@ public:
   /// A scaled depth as a depth, rounded down.
   double Depth(float scaled) const { return scaled * (this->DepthPerScaled * (1.0 - 1e-6)); }
 
-  /// Which of the eight boxes may be seen before the depth `last`, a bit each, and the least depths
-  /// of them all.
-  unsigned Test(const BvhNode& node, float (&depth)[BvhNode::Width], float last) const
+  /// Which of the eight boxes may be seen before the depth `last`.
+  void Test(const BvhNode& node, float last, SeenBoxes& seen) const
   {
     Int8 outside = {};
-    for (int plane = 0; plane < Planes; ++plane)
+    for (int plane = 0; plane <= Ahead; ++plane)
     {
       outside |= this->Corners(plane, node, true) + this->D[plane] < 0.0f;
     }
-    const Float8 nearest = this->Corners(Ahead, node, false) + this->NearD;
-    Store(nearest, depth);
-    return ~Bits(outside | (nearest > last)) & 0xffu;
+    const Float8 nearest = this->Corners(Ahead, node, false) + this->NearD[Ahead];
+    Store(nearest, seen.Depth);
+    seen.All = ~Bits(outside | (nearest > last)) & 0xffu;
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      const int plane = Right + axis;
+      seen.Halves[axis][0] = Bits(this->Corners(plane, node, false) + this->NearD[plane] <= 0.0f);
+      seen.Halves[axis][1] = Bits(this->Corners(plane, node, true) + this->D[plane] >= 0.0f);
+    }
   }
 
 private:
   static constexpr int Ahead = 4;
-  static constexpr int Planes = 5;
+  static constexpr int Right = 5;
+  static constexpr int Upper = 6;
+  static constexpr int Planes = 7;
 
   // The products of the plane's normal with the corners that lie farthest along it, or nearest.
   Float8 Corners(int plane, const BvhNode& node, bool farthest) const
@@ -105,12 +131,12 @@ private:
     }
     const double margin = 1e-6 * (1.0 + std::abs(offset));
     this->D[plane] = static_cast<float>(offset + margin);
-    this->NearD = static_cast<float>(offset - margin);
+    this->NearD[plane] = static_cast<float>(offset - margin);
   }
 
   float N[Planes][3];
   float D[Planes];
-  float NearD;
+  float NearD[Planes];
   double Length;
   double PerDepth;
   double DepthPerScaled;

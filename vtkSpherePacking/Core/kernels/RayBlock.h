@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// The rays of 8 x 8 neighbouring points of a picture and what each has hit so far.
+/// The rays of 16 x 16 neighbouring points of a picture and what each has hit so far.
 #ifndef RayBlock_h
 #define RayBlock_h
 
@@ -15,14 +15,23 @@ inline namespace SPHEREPACKING_ISA
 struct BlockPart
 {
   int X0 = 0;
-  int X1 = 7;
+  int X1 = 15;
   int Y0 = 0;
-  int Y1 = 7;
+  int Y1 = 15;
+
+  /// Which quarters it lies in, a bit each: lower left, lower right, upper left, upper right.
+  unsigned Quarters() const
+  {
+    constexpr int half = 8;
+    const unsigned row = (this->X0 < half ? 1u : 0u) | (this->X1 >= half ? 2u : 0u);
+    return (this->Y0 < half ? row : 0u) | (this->Y1 >= half ? row << 2 : 0u);
+  }
 };
 
 struct RayBlock
 {
-  static constexpr int Side = 8;
+  static constexpr int Side = 16;
+  static constexpr int Half = Side / 2;
   static constexpr int Lanes = 4; ///< rays that are tested at once
   static constexpr int Count = Side * Side;
 
@@ -39,7 +48,7 @@ struct RayBlock
   double X0;                           ///< of the first ray in the picture
   double Y0;
 
-  /// Rays through (x0 + i, y0 + j), i and j from 0 to 7.
+  /// Rays through (x0 + i, y0 + j), i and j from 0 to 15.
   void Start(const CameraRays& rays, double x0, double y0)
   {
     this->X0 = x0;
@@ -66,9 +75,10 @@ struct RayBlock
   }
 
   /// Tests a sphere, which has no hit before `nearest`, against the rays of `part`, and some beside
-  /// them.
-  void Offer(const Sphere& sphere, std::int64_t key, const BlockPart& part, double nearest)
+  /// them. Returns whether it is hit first by any.
+  bool Offer(const Sphere& sphere, std::int64_t key, const BlockPart& part, double nearest)
   {
+    bool closer = false;
     for (int row = part.Y0; row <= part.Y1; ++row)
     {
       for (int quad = part.X0 / Lanes; quad <= part.X1 / Lanes; ++quad)
@@ -76,26 +86,32 @@ struct RayBlock
         const int first = row * Side + quad * Lanes;
         if (Any(nearest <= Load<Double4>(this->T + first)))
         {
-          this->OfferLanes(sphere, key, first);
+          closer |= this->OfferLanes(sphere, key, first);
         }
       }
     }
+    return closer;
   }
 
-  /// The farthest of the first hits.
-  double LastDepth() const
+  /// The farthest of the first hits in a quarter of the block: lower left, lower right, upper left,
+  /// upper right.
+  double LastDepth(int quarter) const
   {
-    Double4 last = Load<Double4>(this->T);
-    for (int i = Lanes; i < Count; i += Lanes)
+    const double* first = this->T + quarter / 2 * Half * Side + quarter % 2 * Half;
+    Double4 last = Load<Double4>(first);
+    for (int row = 0; row < Half; ++row)
     {
-      const Double4 next = Load<Double4>(this->T + i);
-      last = last > next ? last : next;
+      for (int column = 0; column < Half; column += Lanes)
+      {
+        const Double4 next = Load<Double4>(first + row * Side + column);
+        last = last > next ? last : next;
+      }
     }
     return std::max(std::max(last[0], last[1]), std::max(last[2], last[3]));
   }
 
 private:
-  void OfferLanes(const Sphere& sphere, std::int64_t key, int first)
+  bool OfferLanes(const Sphere& sphere, std::int64_t key, int first)
   {
     const auto load = [first](const double* values) { return Load<Double4>(values + first); };
     const Double4 t = HitSphere<Double4>(sphere.X - load(this->OX), sphere.Y - load(this->OY),
@@ -106,6 +122,7 @@ private:
     const Long4 closer = (t < best) | ((t == best) & (key < bestKey));
     Store(closer ? t : best, this->T + first);
     Store(closer ? Long4{} + key : bestKey, this->Key + first);
+    return Any(closer);
   }
 };
 }

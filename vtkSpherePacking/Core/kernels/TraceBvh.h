@@ -21,24 +21,20 @@ struct BvhStack
   {
     std::uint32_t Child;
     float Depth;
+    unsigned Quarters; ///< of a block that may see it, a bit each
   };
   Entry Entries[Maximum];
   int Number = 0;
 
-  /// Pushes the children whose bit is set, the nearest last.
-  void Push(const BvhNode& node, unsigned bits, const float (&depth)[BvhNode::Width])
+  /// Puts an entry among those above `bottom`, the nearest of which is on top.
+  void Insert(int bottom, const Entry& entry)
   {
-    const int bottom = this->Number;
-    for (; bits != 0; bits &= bits - 1)
+    int at = this->Number++;
+    for (; at > bottom && this->Entries[at - 1].Depth < entry.Depth; --at)
     {
-      const int i = __builtin_ctz(bits);
-      int at = this->Number++;
-      for (; at > bottom && this->Entries[at - 1].Depth < depth[i]; --at)
-      {
-        this->Entries[at] = this->Entries[at - 1];
-      }
-      this->Entries[at] = { node.Children[i], depth[i] };
+      this->Entries[at] = this->Entries[at - 1];
     }
+    this->Entries[at] = entry;
   }
 };
 
@@ -62,61 +58,118 @@ public:
     {
       return;
     }
-    this->SetLast();
-    BvhStack stack;
-    stack.Entries[stack.Number++] = { 0, -3e38f };
-    while (stack.Number > 0)
+    this->SetLast(AllQuarters);
+    this->Stack.Entries[this->Stack.Number++] = { 0, -3e38f, AllQuarters };
+    while (this->Stack.Number > 0)
     {
-      const BvhStack::Entry entry = stack.Entries[--stack.Number];
-      if (entry.Depth > this->ScaledLast)
+      const BvhStack::Entry entry = this->Stack.Entries[--this->Stack.Number];
+      if (entry.Depth > this->Last[entry.Quarters])
       {
         continue;
       }
       if (BvhChild::IsLeaf(entry.Child))
       {
-        this->Offer(BvhChild::Index(entry.Child));
-        continue;
+        this->Wait(entry);
       }
-      const BvhNode& node = this->Hierarchy.Nodes[entry.Child];
-      float depth[BvhNode::Width];
-      const unsigned seen = this->View.Test(node, depth, this->ScaledLast);
-      for (unsigned bits = seen; bits != 0; bits &= bits - 1)
+      else
       {
-        this->Hierarchy.Prefetch(node.Children[__builtin_ctz(bits)]);
+        this->Push(this->Hierarchy.Nodes[entry.Child], this->Last[entry.Quarters]);
       }
-      stack.Push(node, seen, depth);
+    }
+    while (this->Waiting > 0)
+    {
+      this->OfferFirst();
     }
   }
 
 private:
-  void SetLast()
+  static constexpr unsigned AllQuarters = 15;
+  static constexpr int QueueLength = 3;
+
+  // Leaves wait until two more have come, by when they have arrived from memory.
+  void Wait(const BvhStack::Entry& leaf)
   {
-    this->Last = this->Block.LastDepth();
-    this->ScaledLast = this->View.ScaledDepth(this->Last);
+    this->Hierarchy.Prefetch(leaf.Child);
+    this->Queue[this->Waiting++] = leaf;
+    if (this->Waiting == QueueLength)
+    {
+      this->OfferFirst();
+    }
   }
 
-  void Offer(std::uint32_t index)
+  void OfferFirst()
+  {
+    const BvhStack::Entry first = this->Queue[0];
+    std::copy(this->Queue + 1, this->Queue + this->Waiting, this->Queue);
+    --this->Waiting;
+    if (first.Depth <= this->Last[first.Quarters])
+    {
+      this->Offer(BvhChild::Index(first.Child), this->Last[first.Quarters]);
+    }
+  }
+
+  // Puts the children of a node that may be seen before `last` on the stack.
+  void Push(const BvhNode& node, float last)
+  {
+    SeenBoxes seen;
+    this->View.Test(node, last, seen);
+    const int bottom = this->Stack.Number;
+    for (unsigned bits = seen.All; bits != 0; bits &= bits - 1)
+    {
+      const int i = __builtin_ctz(bits);
+      const unsigned quarters = seen.QuartersOf(i);
+      if (seen.Depth[i] <= this->Last[quarters])
+      {
+        if (!BvhChild::IsLeaf(node.Children[i]))
+        {
+          this->Hierarchy.Prefetch(node.Children[i]);
+        }
+        this->Stack.Insert(bottom, { node.Children[i], seen.Depth[i], quarters });
+      }
+    }
+  }
+
+  // Looks again where the farthest of the first hits are in some quarters.
+  void SetLast(unsigned quarters)
+  {
+    for (; quarters != 0; quarters &= quarters - 1)
+    {
+      const int quarter = __builtin_ctz(quarters);
+      this->Last[1u << quarter] = this->View.ScaledDepth(this->Block.LastDepth(quarter));
+    }
+    for (unsigned all = 1; all <= AllQuarters; ++all)
+    {
+      const unsigned rest = all & (all - 1);
+      this->Last[all] = std::max(this->Last[all ^ rest], this->Last[rest]);
+    }
+  }
+
+  void Offer(std::uint32_t index, float last)
   {
     const BvhLeaf& leaf = this->Hierarchy.Leaves[index];
     LeafParts parts;
-    unsigned seen = this->Places.Test(this->Hierarchy, leaf, this->ScaledLast, parts);
+    unsigned seen = this->Places.Test(this->Hierarchy, leaf, last, parts);
     const bool exact = this->Hierarchy.Exact;
     for (unsigned bits = exact ? 0u : seen; bits != 0; bits &= bits - 1)
     {
       this->Spheres.Prefetch(leaf.Ids[__builtin_ctz(bits)]);
     }
-    const bool offered = seen != 0;
+    unsigned changed = 0;
     for (; seen != 0; seen &= seen - 1)
     {
       const int i = __builtin_ctz(seen);
       const Sphere sphere = exact ? leaf.At(i) : this->Spheres[leaf.Ids[i]];
       const std::uint32_t place = index * BvhLeaf::Width + static_cast<std::uint32_t>(i);
-      this->Block.Offer(sphere, MakeKey(leaf.Ids[i], place), parts.Of(i),
-        this->View.Depth(parts.Nearest[i]));
+      const BlockPart part = parts.Of(i);
+      if (this->Block.Offer(
+            sphere, MakeKey(leaf.Ids[i], place), part, this->View.Depth(parts.Nearest[i])))
+      {
+        changed |= part.Quarters();
+      }
     }
-    if (offered)
+    if (changed != 0)
     {
-      this->SetLast();
+      this->SetLast(changed);
     }
   }
 
@@ -125,8 +178,10 @@ private:
   RayBlock& Block;
   const Frustum View;
   const BlockScreen Places;
-  double Last;
-  float ScaledLast;
+  BvhStack Stack;
+  BvhStack::Entry Queue[QueueLength];
+  int Waiting = 0;
+  float Last[AllQuarters + 1] = {}; // scaled depths, by the quarters that are looked at
 };
 
 inline void TraceBlock(const Bvh& bvh, const SphereArrays& spheres, const CameraRays& rays,

@@ -122,7 +122,7 @@ inline Hit FirstHit(const Bvh& bvh, const SphereArrays& spheres, const Ray& ray)
   const BvhRay line(bvh, ray);
   float last = line.Scaled(hit.T);
   BvhStack stack;
-  stack.Entries[stack.Number++] = { 0, 0.0f };
+  stack.Entries[stack.Number++] = { 0, 0.0f, 0 };
   while (stack.Number > 0)
   {
     const BvhStack::Entry entry = stack.Entries[--stack.Number];
@@ -134,8 +134,12 @@ inline Hit FirstHit(const Bvh& bvh, const SphereArrays& spheres, const Ray& ray)
     {
       const BvhNode& node = bvh.Nodes[entry.Child];
       float depth[BvhNode::Width];
-      const unsigned seen = line.Test(node, depth, last);
-      stack.Push(node, seen, depth);
+      const int bottom = stack.Number;
+      for (unsigned seen = line.Test(node, depth, last); seen != 0; seen &= seen - 1)
+      {
+        const int i = __builtin_ctz(seen);
+        stack.Insert(bottom, { node.Children[i], depth[i], 0 });
+      }
       continue;
     }
     const BvhLeaf& leaf = bvh.Leaves[BvhChild::Index(entry.Child)];
