@@ -6,21 +6,18 @@
 #include "vtkSpherePackingInput.h"
 #include "vtkSpherePackingMemory.h"
 #include "vtkSpherePackingParallelFor.h"
+#include "vtkSpherePackingPicture.h"
 #include "vtkSpherePackingTiles.h"
 #include "vtkSpherePackingTracerInternals.h"
 
-#include "io/HugePages.h"
 #include "kernels/BuildBvh.h"
 
 #include "vtkCamera.h"
-#include "vtkDoubleArray.h"
 #include "vtkErrorCode.h"
 #include "vtkFieldData.h"
-#include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -28,7 +25,6 @@
 #include "vtkPolyData.h"
 #include "vtkScalarsToColors.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkTypeInt64Array.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <chrono>
@@ -88,53 +84,10 @@ void RandomColor(std::uint64_t id, unsigned char* color)
   color[3] = 255;
 }
 
-template <typename ArrayT>
-auto* AddPixels(vtkImageData* image, const char* name, int components)
-{
-  vtkNew<ArrayT> array;
-  array->SetName(name);
-  array->SetNumberOfComponents(components);
-  using Value = typename ArrayT::ValueType;
-  const vtkIdType count = components * image->GetNumberOfPoints();
-  void* memory = spherepacking::AllocateHugePages(count * sizeof(Value));
-  if (!memory)
-  {
-    throw std::bad_alloc();
-  }
-  array->SetArray(static_cast<Value*>(memory), count, 0, ArrayT::VTK_DATA_ARRAY_FREE);
-  image->GetPointData()->AddArray(array);
-  return array->GetPointer(0);
-}
-
-void AddExtents(vtkDataObject* output, const std::vector<spherepacking::Tile>& tiles)
-{
-  vtkNew<vtkIntArray> array;
-  array->SetName("tile_extents");
-  array->SetNumberOfComponents(4);
-  for (const spherepacking::Tile& tile : tiles)
-  {
-    const int extent[4] = { tile.X, tile.X + tile.Width - 1, tile.Y, tile.Y + tile.Height - 1 };
-    array->InsertNextTypedTuple(extent);
-  }
-  output->GetFieldData()->AddArray(array);
-}
-
 vtkMTimeType LastChange(vtkPolyData* packing, vtkAbstractArray* radii)
 {
   vtkPoints* points = packing->GetPoints();
   return std::max({ points->GetMTime(), points->GetData()->GetMTime(), radii->GetMTime() });
-}
-
-void ShowNothing(const spherepacking::Picture& picture, const spherepacking::Tile& tile)
-{
-  for (int y = tile.Y; y < tile.Y + tile.Height; ++y)
-  {
-    const std::int64_t first = static_cast<std::int64_t>(y) * picture.Width + tile.X;
-    std::fill_n(picture.Color + 4 * first, 4 * tile.Width, static_cast<unsigned char>(0));
-    std::fill_n(picture.Depth + first, tile.Width, std::numeric_limits<float>::infinity());
-    std::fill_n(picture.Normal + 3 * first, 3 * tile.Width, 0.0f);
-    std::fill_n(picture.Id + first, tile.Width, -1);
-  }
 }
 }
 
@@ -428,11 +381,7 @@ void vtkSpherePackingTracer::Trace(vtkImageData* output)
   vtkSpherePackingCameraRays camera;
   this->SetRays(camera);
   output->SetExtent(0, this->WindowSize[0] - 1, 0, this->WindowSize[1] - 1, 0, 0);
-  const spherepacking::Picture picture = { this->WindowSize[0], this->WindowSize[1],
-    AddPixels<vtkUnsignedCharArray>(output, "color", 4),
-    AddPixels<vtkFloatArray>(output, "depth", 1), AddPixels<vtkFloatArray>(output, "normal", 3),
-    AddPixels<vtkTypeInt64Array>(output, "sphere_id", 1) };
-  output->GetPointData()->SetActiveScalars("color");
+  const spherepacking::Picture picture = vtkSpherePackingAddPicture(output);
 
   const spherepacking::Scene scene = this->Internals->Scene();
   vtkSpherePackingTiles tiles(this->WindowSize, this->TileSize);
@@ -447,9 +396,9 @@ void vtkSpherePackingTracer::Trace(vtkImageData* output)
   this->SetAbortOutput(false);
   for (const spherepacking::Tile& tile : left)
   {
-    ShowNothing(picture, tile);
+    vtkSpherePackingShowNothing(picture, tile);
   }
-  AddExtents(output, tiles.Tiles);
+  vtkSpherePackingAddExtents(output, tiles.Tiles);
   vtkSpherePackingAddField(output, "compute_seconds", tiles.ComputeSeconds);
   vtkSpherePackingAddField(output, "partial_seconds", tiles.PartialSeconds);
   vtkSpherePackingAddField(output, "complete_seconds", { tiles.CompleteSeconds });
