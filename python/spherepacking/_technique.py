@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pyvista as pv
 
+from .accessor import PackingAccessor
 from .image import write_image
 
 if TYPE_CHECKING:
@@ -38,9 +39,9 @@ def add_boxes(
         What the picture has to show: the corners, as spheres of radius 0.
     """
     if technique == "bvh":
-        lines = packing.packing.bvh_boxes(boxes, as_lines=True)
+        lines = PackingAccessor(packing).bvh_boxes(boxes, as_lines=True)
     else:
-        lines = packing.packing.grid_boxes(cuts, as_lines=True)
+        lines = PackingAccessor(packing).grid_boxes(cuts, as_lines=True)
     if not lines.n_points:
         return packing
     plotter.add_mesh(lines, color="black", line_width=2.0, lighting=False, show_scalar_bar=False)
@@ -71,7 +72,7 @@ def save_ray_cast(
     words : dict
         Arguments of ``packing.packing.ray_cast``.
     """
-    image = packing.packing.ray_cast(plotter.camera, progress=sys.stderr.isatty(), **words)
+    image = PackingAccessor(packing).ray_cast(plotter.camera, progress=sys.stderr.isatty(), **words)
     width, height = words["window_size"]
     pixels = np.asarray(image["color"]).reshape(height, width, 4)[::-1]
     if not transparent:

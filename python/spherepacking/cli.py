@@ -47,7 +47,7 @@ def _load() -> None:
     try:
         import pyvista  # noqa: F401
 
-        from . import image, readers, writers  # noqa: F401
+        from . import _backend, image, readers, writers  # noqa: F401
     finally:
         signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGINT})
 
@@ -211,8 +211,12 @@ def _set_quality(plotter: object, opacity: float, anti_aliasing: bool) -> None:
         # Neither several samples a pixel nor VTK's larger picture go with peeling.
         plotter.render_window.SetMultiSamples(1)
         plotter.enable_depth_peeling()
-    if anti_aliasing:
-        plotter.enable_anti_aliasing("ssaa" if opacity == 1.0 else "fxaa")
+    if anti_aliasing and opacity < 1.0:
+        # Not enable_anti_aliasing: with EGL and OSMesa PyVista warns, and takes the larger picture.
+        plotter.render_window.SetMultiSamples(0)
+        plotter.renderer.SetUseFXAA(True)
+    elif anti_aliasing:
+        plotter.enable_anti_aliasing("ssaa")
 
 
 def _look(
