@@ -29,6 +29,7 @@ import time
 
 from rich.console import Console
 from rich.table import Table
+from spherepacking.accessor import PackingAccessor
 from spherepacking.bench import embree
 from spherepacking.bench.measure import errors_of, expect, take_turns
 from spherepacking.bench.scenes import camera_of_all, knot_tube
@@ -56,8 +57,8 @@ def builds(packing, peer: embree.Embree, turns: int) -> tuple[float, float]:
     """Median seconds of our build and of Embree's."""
     ours, theirs = [], []
     for _ in range(turns + 1):
-        # The structure is kept by the accessor of a packing: another packing needs another one.
-        image = packing.copy().packing.ray_cast(camera_of_all(), (8, 8))
+        # The structure is kept by the accessor: another one builds another one.
+        image = PackingAccessor(packing).ray_cast(camera_of_all(), (8, 8))
         ours.append(float(image.field_data["build_seconds"][0]))
         theirs.append(peer.build())
     return statistics.median(ours[1:]), statistics.median(theirs[1:])

@@ -10,6 +10,7 @@ cd "$root"
 log=$root/build/setup.log
 venv=$root/.venv
 oldest_python=12
+peers=()         # packages that only one of the scripts needs
 newest_python=14 # the newest 3.x that every dependency has wheels for
 
 say() { printf '==> %s\n' "$*"; }
@@ -110,6 +111,7 @@ venv_works() {
 
 # What Debian calls the missing things, in `packages`.
 missing_packages() {
+  local package
   packages=()
   if ! command -v "${CXX:-c++}" >/dev/null; then packages+=(g++); fi
   # find_package(VTK) asks for X11's headers, although no display is needed.
@@ -126,6 +128,9 @@ missing_packages() {
       packages+=(libosmesa6)
     fi
   fi
+  for package in "${peers[@]}"; do
+    if ! dpkg -s "$package" >/dev/null 2>&1; then packages+=("$package"); fi
+  done
   if venv_works; then return; fi
   find_python
   # Debian's own Python would do, but Debian keeps parts of it in packages of their own.

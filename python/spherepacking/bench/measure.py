@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ..accessor import PackingAccessor
 from . import reference
 from .scenes import camera_of_all, depths_of, knot_tube
 from .techniques import label_of
@@ -226,5 +227,5 @@ def _rows(
 
 
 def _smooth(packing: pv.PolyData, camera: pv.Camera, size: tuple[int, int]) -> NDArray[np.uint8]:
-    image = packing.packing.ray_cast(camera, size, samples=MOST_RAYS, scalars="radius")
+    image = PackingAccessor(packing).ray_cast(camera, size, samples=MOST_RAYS, scalars="radius")
     return np.asarray(image["color"]).reshape(size[1], size[0], 4)

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple, Protocol
 import numpy as np
 import pyvista as pv
 
+from ..accessor import PackingAccessor
 from . import accuracy
 from .scenes import depths_of
 
@@ -82,7 +83,8 @@ class RayCast:
         structure: str,
         samples: int,
     ) -> None:
-        self._packing = packing
+        # Not that of the packing, which would outlive it under some versions of PyVista.
+        self._spheres = PackingAccessor(packing)
         self._words = {
             "camera": camera,
             "window_size": size,
@@ -99,7 +101,7 @@ class RayCast:
 
     def frame(self) -> None:
         """Cast the rays."""
-        self._image = self._packing.packing.ray_cast(**self._words)
+        self._image = self._spheres.ray_cast(**self._words)
 
     def seen(self) -> Seen:
         """Return what the last rays hit."""

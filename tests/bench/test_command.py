@@ -1,0 +1,64 @@
+"""The command ``spherepacking bench``."""
+
+import pytest
+import spherepacking
+from spherepacking import cli
+from spherepacking.bench import command
+
+
+def bench(tmp_path, *arguments):
+    files = ["--csv", tmp_path / "b.csv", "--png", tmp_path / "b.png"]
+    return cli.main([str(word) for word in ("bench", *files, *arguments)])
+
+
+def test_table_csv_and_picture(tmp_path, capsys):
+    words = ["--counts", 400, 100, "--size", 80, 60, "--turns", 1, "--only", "OpenGL", "bvh"]
+    assert bench(tmp_path, *words) == 0
+    said = capsys.readouterr().out
+    lines = (tmp_path / "b.csv").read_text().splitlines()
+    assert [line.split(",")[0] for line in lines[1:]] == ["OpenGL", *["ray cast"] * 3] * 2
+    for word in ("ray cast, bvh, 9 rays", "OpenGL", "400", "100"):
+        assert word in said
+    picture = spherepacking.read_image(tmp_path / "b.png").astype(int)
+    assert picture.shape == (1500, 2000, 3)
+    # Each of the four charts has lines in the colours of the techniques.
+    for quarter in (picture[:750, :1000], picture[:750, 1000:], picture[750:, :1000]):
+        assert (abs(quarter - [0x1F, 0x77, 0xB4]).sum(axis=-1) < 30).sum() > 50
+        assert (abs(quarter - [0xD6, 0x27, 0x28]).sum(axis=-1) < 30).sum() > 50
+
+
+def test_what_is_done_is_kept(tmp_path, monkeypatch, capsys):
+    def stopped(*arguments, **words):
+        rows = whole(*arguments, **words)
+        yield next(rows)
+        rows.close()
+        raise KeyboardInterrupt
+
+    whole = command.measure
+    monkeypatch.setattr(command, "measure", stopped)
+    words = ["--counts", 100, 200, "--size", 40, 30, "--turns", 1, "--only", "bvh"]
+    assert bench(tmp_path, *words) == 130
+    assert "ray cast, bvh" in capsys.readouterr().out
+    assert len((tmp_path / "b.csv").read_text().splitlines()) == 4
+    assert (tmp_path / "b.png").is_file()
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        (["--counts", 99], "--counts: found [99], expected numbers from 100"),
+        (["--only", "metaballs"], "--only: found 'metaballs', expected a part of: OpenGL;"),
+        (["--turns", 0], "--turns: found 0, expected 1 or more"),
+        (["--limit", "nan"], "--limit: found nan, expected a finite number of seconds"),
+        (["--size", 0, 5], "--size: found 0 5, expected numbers of pixels"),
+        (["--png", "no/b.png"], "no/b.png: there is no folder"),
+        (["--csv", "no/b.csv"], "no/b.csv: there is no folder"),
+    ],
+)
+def test_bad_arguments(tmp_path, monkeypatch, capsys, words, message):
+    monkeypatch.chdir(tmp_path)
+    assert cli.main(["bench", *map(str, words)]) == 2
+    said = capsys.readouterr().err
+    assert message in said
+    assert len(said.splitlines()) == 1
+    assert list(tmp_path.iterdir()) == []
