@@ -106,7 +106,7 @@ class Caster:
         tile = 64 if tile is None else tile
         tile = (tile, tile) if np.ndim(tile) == 0 else tile
         tracer.SetTileSize(arguments.size_of("tile", tile, most=_LARGEST_SIZE))
-        key = _key_of(packing, **look)
+        key = _key_of(packing, look)
         if key is None or key != self._look:
             self._look = None
             _set_look(tracer, packing, **look)
@@ -150,16 +150,9 @@ def _state_of(packing: pv.PolyData) -> tuple[int, ...] | None:
     return points.GetMTime(), points.GetData().GetMTime(), radii.GetMTime()
 
 
-def _key_of(
-    packing: pv.PolyData,
-    scalars: str | ArrayLike | None,
-    cmap: str | list[ColorLike] | pv.LookupTable | None,
-    clim: Sequence[float] | float | None,
-    log_scale: bool,
-    color: ColorLike | None,
-    random_colors: bool,
-) -> tuple[object, ...] | None:
+def _key_of(packing: pv.PolyData, look: dict[str, object]) -> tuple[object, ...] | None:
     """What the colours depend on, None if that cannot be told without looking at all of it."""
+    scalars, cmap = look["scalars"], look["cmap"]
     if scalars is None:
         array = packing.GetPointData().GetScalars()
     elif isinstance(scalars, str):
@@ -167,10 +160,9 @@ def _key_of(
     else:
         return None
     if isinstance(cmap, pv.LookupTable):
-        cmap = ("table", cmap.GetMTime())
-    words = (scalars, cmap, clim, log_scale, color, random_colors)
+        look = look | {"cmap": ("table", cmap.GetMTime())}
     theme = pv.global_theme
-    return (array and array.GetMTime(), repr(words), repr(theme.cmap), repr(theme.color))
+    return (array and array.GetMTime(), repr(look), repr(theme.cmap), repr(theme.color))
 
 
 def _ignore(*_: object) -> None:

@@ -1,0 +1,150 @@
+"""``packing.ray_cast`` and ``packing.pick``: what they show, refuse and keep."""
+
+import numpy as np
+import pytest
+import pyvista as pv
+import spherepacking
+from spherepacking.accessor import PackingAccessor
+
+VIEW = [(3, 3, 3), (0, 0, 0), (0, 0, 1)]
+SIZE = (60, 40)
+
+
+@pytest.fixture
+def spheres():
+    return spherepacking.apollonian(3)
+
+
+def colors(accessor, **words):
+    return np.array(accessor.ray_cast(VIEW, SIZE, scalars="radius", **words)["color"])
+
+
+def test_arrays(spheres):
+    image = PackingAccessor(spheres).ray_cast(VIEW, SIZE, random_colors=True)
+    assert image.dimensions == (*SIZE, 1)
+    found = {name: (image[name].dtype, image[name].shape) for name in image.point_data}
+    count = SIZE[0] * SIZE[1]
+    assert found == {
+        "color": (np.uint8, (count, 4)),
+        "depth": (np.float32, (count,)),
+        "normal": (np.float32, (count, 3)),
+        "sphere_id": (np.int64, (count,)),
+    }
+    hit = image["sphere_id"] >= 0
+    assert 0.1 < hit.mean() < 0.9
+    assert (np.isfinite(image["depth"]) == hit).all()
+
+
+def test_pick_agrees_with_the_picture(spheres):
+    accessor = PackingAccessor(spheres)
+    ids = np.array(accessor.ray_cast(VIEW, SIZE)["sphere_id"]).reshape(SIZE[::-1])
+    for x, y in ((30, 20), (25, 15), (0, 0), (36, 22)):
+        found = accessor.pick(VIEW, SIZE, x + 0.5, y + 0.5)
+        assert (found.sphere_id if found else -1) == ids[y, x]
+        if found:
+            center, radius = spheres.points[found.sphere_id], spheres["radius"][found.sphere_id]
+            np.testing.assert_allclose(found.point, center + radius * found.normal, atol=1e-12)
+            assert np.linalg.norm(found.normal) == pytest.approx(1, abs=1e-14)
+            assert found.normal @ np.ones(3) > 0
+    assert accessor.pick(VIEW, SIZE, 0, 0) is None
+
+
+def test_what_changes_is_seen(spheres):
+    accessor = PackingAccessor(spheres)
+    first = colors(accessor)
+    assert (colors(accessor) == first).all()
+    for words in (
+        {"cmap": "magma"},
+        {"clim": (0.2, 0.3)},
+        {"log_scale": True},
+        {"cmap": ["red", "blue"]},
+    ):
+        changed = colors(accessor, **words)
+        assert (changed != first).any()
+        # As if nothing had been kept.
+        assert (changed == colors(PackingAccessor(spheres), **words)).all()
+        assert (colors(accessor) == first).all()
+    table = pv.LookupTable("magma")
+    table.scalar_range = (0.0, 1.0)
+    before = colors(accessor, cmap=table)
+    table.scalar_range = (0.0, 0.1)
+    assert (colors(accessor, cmap=table) != before).any()
+
+
+def test_changed_arrays_are_seen(spheres):
+    spheres["weight"] = np.arange(spheres.n_points, dtype=float)
+    accessor = PackingAccessor(spheres)
+
+    def cast():
+        image = accessor.ray_cast(VIEW, SIZE, scalars="weight")
+        return np.array(image["color"]), np.array(image["sphere_id"])
+
+    color, ids = cast()
+    spheres["weight"][:] = spheres["weight"][::-1].copy()
+    assert (cast()[0] != color).any()
+    spheres["weight"] = np.arange(spheres.n_points, dtype=float)
+    assert (cast()[0] == color).all()
+    spheres["radius"][:5] *= 0.5
+    assert (cast()[1] != ids).any()
+    spheres.points += [0.3, 0.0, 0.0]
+    assert (cast()[1] != ids).any()
+    spheres["radius"][0] = -1.0
+    with pytest.raises(ValueError, match="holds -1 at point 0"):
+        cast()
+    spheres["radius"][0] = 0.5
+    assert (cast()[1] >= 0).any()
+
+
+def test_scalars_by_value_are_seen_each_time(spheres):
+    accessor = PackingAccessor(spheres)
+    values = np.arange(spheres.n_points, dtype=float)
+    first = np.array(accessor.ray_cast(VIEW, SIZE, scalars=values)["color"])
+    values[:] = values[::-1].copy()
+    assert (np.array(accessor.ray_cast(VIEW, SIZE, scalars=values)["color"]) != first).any()
+
+
+def test_a_picture_is_its_owners(spheres):
+    accessor = PackingAccessor(spheres)
+    image = accessor.ray_cast(VIEW, SIZE)
+    first = np.array(image["color"])
+    image["color"][:] = 7
+    assert (np.array(accessor.ray_cast(VIEW, SIZE)["color"]) == first).all()
+
+
+def test_an_empty_packing(spheres):
+    image = PackingAccessor(pv.PolyData()).ray_cast(VIEW, SIZE)
+    assert (image["sphere_id"] == -1).all()
+    assert PackingAccessor(pv.PolyData()).pick(VIEW, SIZE, 1, 1) is None
+
+
+@pytest.mark.parametrize(
+    ("words", "error", "found"),
+    [
+        ({"structure": "tree"}, ValueError, "structure: found 'tree', expected one of none, grid"),
+        ({"cuts": -1, "structure": "grid"}, ValueError, "cuts: found -1"),
+        ({"cuts": 99999, "structure": "grid"}, ValueError, "cuts: found 99999, which makes more"),
+        ({"window_size": (0, 5)}, ValueError, "window_size: found"),
+        ({"window_size": 5}, (TypeError, ValueError), "window_size: found"),
+        ({"camera": [(0, 0, 0)] * 3}, ValueError, "camera: found one that stands where it looks"),
+        ({"camera": "front"}, TypeError, "camera: found a str"),
+        ({"samples": 0}, ValueError, "samples: found 0"),
+        ({"samples": 17}, ValueError, "samples: found 17"),
+        ({"tile": 0}, ValueError, "tile: found"),
+        ({"scalars": "mass"}, KeyError, "mass"),
+        ({"clim": (1, 0)}, ValueError, "clim: found"),
+        ({"color": "no colour"}, ValueError, "color: found"),
+    ],
+)
+def test_refusals(spheres, words, error, found):
+    words = {"camera": VIEW, "window_size": SIZE} | words
+    accessor = PackingAccessor(spheres)
+    with pytest.raises(error, match=found.replace("(", r"\(")):
+        accessor.ray_cast(**words)
+    # And works after that.
+    assert (accessor.ray_cast(VIEW, SIZE)["sphere_id"] >= 0).any()
+
+
+@pytest.mark.parametrize(("x", "y"), [(-1, 5), (5, 41), (np.nan, 5)])
+def test_pick_outside_of_the_picture(spheres, x, y):
+    with pytest.raises(ValueError, match=r"[xy]: found"):
+        PackingAccessor(spheres).pick(VIEW, SIZE, x, y)
