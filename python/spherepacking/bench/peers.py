@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+import numpy as np
 import pyvista as pv
 
 from .techniques import Technique, Window
 
 if TYPE_CHECKING:
-    import numpy as np
     from numpy.typing import NDArray
 
 _DISC = """//VTK::Color::Impl
@@ -37,7 +37,10 @@ def _add_sphere_mapper(
 
     mapper = vtkOpenGLSphereMapper()
     mapper.SetScaleArray("radius")
-    _add(plotter, mapper, packing, colors)
+    # Without cells it draws nothing; made of points alone, a PolyData has one for each.
+    with_cells = pv.PolyData(np.asarray(packing.points))
+    with_cells.point_data["radius"] = packing.point_data["radius"]
+    _add(plotter, mapper, with_cells, colors)
 
 
 def _add_meshes(
