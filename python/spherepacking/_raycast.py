@@ -72,7 +72,7 @@ class Caster:
         size = arguments.size_of("window_size", window_size, most=_LARGEST_SIZE)
         camera = camera_of(camera)
         state = _state_of(packing)
-        if state != self._state:
+        if state is None or state != self._state:
             self._state = self._look = None
             if packing.n_points:
                 arguments.radii_of(packing, "radius")

@@ -320,14 +320,14 @@ def convert(source: Path, target: Path, /) -> None:
 @app.command
 def bench(
     *,
-    counts: Annotated[list[int], Parameter(consume_multiple=True, negative=())] = [  # noqa: B006
+    counts: Annotated[tuple[int, ...], Parameter(consume_multiple=True, negative=())] = (
         5_000,
         50_000,
         100_000,
         200_000,
         300_000,
         1_000_000,
-    ],
+    ),
     only: Annotated[list[str] | None, Parameter(consume_multiple=True, negative=())] = None,
     size: tuple[int, int] = (1000, 1000),
     turns: int = 5,

@@ -144,6 +144,17 @@ def test_refusals(spheres, words, error, found):
     assert (accessor.ray_cast(VIEW, SIZE)["sphere_id"] >= 0).any()
 
 
+def test_no_radii(spheres):
+    bare = pv.PolyData(np.array(spheres.points))
+    for accessor in (PackingAccessor(bare), PackingAccessor(spheres)):
+        accessor._packing.point_data.pop("radius", None)
+        for _ in range(2):
+            with pytest.raises(KeyError, match="radius"):
+                accessor.ray_cast(VIEW, SIZE)
+            with pytest.raises(KeyError, match="radius"):
+                accessor.pick(VIEW, SIZE, 1, 1)
+
+
 @pytest.mark.parametrize(("x", "y"), [(-1, 5), (5, 41), (np.nan, 5)])
 def test_pick_outside_of_the_picture(spheres, x, y):
     with pytest.raises(ValueError, match=r"[xy]: found"):

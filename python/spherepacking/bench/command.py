@@ -42,7 +42,7 @@ def chosen(only: Sequence[str] | None) -> list[Technique]:
 
 def _check(counts: Sequence[int], size: tuple[int, int], turns: int, limit: float) -> None:
     if not counts or not all(100 <= count < 1 << 24 for count in counts):
-        raise ValueError(f"--counts: found {counts}, expected numbers from 100 to 16777215")
+        raise ValueError(f"--counts: found {list(counts)}, expected numbers from 100 to 16777215")
     if min(size) < 1 or max(size) > 8192:
         raise ValueError(
             f"--size: found {size[0]} {size[1]}, expected numbers of pixels from 1 to 8192"

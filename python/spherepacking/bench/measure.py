@@ -38,7 +38,7 @@ class Row:
     seconds: float
     """A frame, the median."""
     frames: int
-    """That were timed after the first one; 0 if only that was, because it took so long."""
+    """That count: those after the first one, or that one alone if it took so long."""
     build_seconds: float
     """Of the structure, NaN without one."""
     bytes_per_sphere: float

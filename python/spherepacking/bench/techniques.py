@@ -114,7 +114,7 @@ class RayCast:
 
     def close(self) -> None:
         """Let the structure go."""
-        self._image = None
+        self._image = self._spheres = None
 
 
 class Window:
