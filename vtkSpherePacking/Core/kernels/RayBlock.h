@@ -19,19 +19,19 @@ struct BlockPart
   int Y0 = 0;
   int Y1 = 15;
 
-  /// Which quarters it lies in, a bit each: lower left, lower right, upper left, upper right.
-  unsigned Quarters() const
+  /// Which cells of 4 x 4 rays it lies in, a bit each, row by row.
+  unsigned Cells() const
   {
-    constexpr int half = 8;
-    const unsigned row = (this->X0 < half ? 1u : 0u) | (this->X1 >= half ? 2u : 0u);
-    return (this->Y0 < half ? row : 0u) | (this->Y1 >= half ? row << 2 : 0u);
+    const unsigned columns = (2u << this->X1 / 4) - (1u << this->X0 / 4);
+    const unsigned rows = ((16u << (this->Y1 & ~3)) - (1u << (this->Y0 & ~3))) & 0x1111u;
+    return columns * rows;
   }
 };
 
 struct RayBlock
 {
   static constexpr int Side = 16;
-  static constexpr int Half = Side / 2;
+  static constexpr int CellsSide = Side / 4;
   static constexpr int Lanes = 4; ///< rays that are tested at once
   static constexpr int Count = Side * Side;
 
@@ -93,19 +93,16 @@ struct RayBlock
     return closer;
   }
 
-  /// The farthest of the first hits in a quarter of the block: lower left, lower right, upper left,
-  /// upper right.
-  double LastDepth(int quarter) const
+  /// The farthest of the first hits in a cell of 4 x 4 rays.
+  double LastDepth(int cell) const
   {
-    const double* first = this->T + quarter / 2 * Half * Side + quarter % 2 * Half;
+    static_assert(Side == CellsSide * Lanes);
+    const double* first = this->T + cell / CellsSide * Lanes * Side + cell % CellsSide * Lanes;
     Double4 last = Load<Double4>(first);
-    for (int row = 0; row < Half; ++row)
+    for (int row = 1; row < Lanes; ++row)
     {
-      for (int column = 0; column < Half; column += Lanes)
-      {
-        const Double4 next = Load<Double4>(first + row * Side + column);
-        last = last > next ? last : next;
-      }
+      const Double4 next = Load<Double4>(first + row * Side);
+      last = last > next ? last : next;
     }
     return std::max(std::max(last[0], last[1]), std::max(last[2], last[3]));
   }

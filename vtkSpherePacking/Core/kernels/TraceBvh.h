@@ -4,7 +4,6 @@
 #define TraceBvh_h
 
 #include "kernels/BlockScreen.h"
-#include "kernels/Frustum.h"
 #include "kernels/SphereArrays.h"
 
 namespace spherepacking
@@ -21,7 +20,7 @@ struct BvhStack
   {
     std::uint32_t Child;
     float Depth;
-    unsigned Quarters; ///< of a block that may see it, a bit each
+    unsigned Rectangle; ///< of CellDepths, that may see it
   };
   Entry Entries[Maximum];
   int Number = 0;
@@ -47,7 +46,6 @@ public:
     : Hierarchy(bvh)
     , Spheres(spheres)
     , Block(block)
-    , View(rays, screen, block, bvh)
     , Places(rays, screen, block, bvh)
   {
   }
@@ -58,12 +56,12 @@ public:
     {
       return;
     }
-    this->SetLast(AllQuarters);
-    this->Stack.Entries[this->Stack.Number++] = { 0, -3e38f, AllQuarters };
+    this->Last.Update(this->Block, AllCells, this->Places.DepthScale());
+    this->Stack.Entries[this->Stack.Number++] = { 0, -3e38f, CellDepths::Whole };
     while (this->Stack.Number > 0)
     {
       const BvhStack::Entry entry = this->Stack.Entries[--this->Stack.Number];
-      if (entry.Depth > this->Last[entry.Quarters])
+      if (entry.Depth > this->Last[entry.Rectangle])
       {
         continue;
       }
@@ -73,7 +71,7 @@ public:
       }
       else
       {
-        this->Push(this->Hierarchy.Nodes[entry.Child], this->Last[entry.Quarters]);
+        this->Push(this->Hierarchy.Nodes[entry.Child], this->Last[entry.Rectangle]);
       }
     }
     while (this->Waiting > 0)
@@ -83,7 +81,7 @@ public:
   }
 
 private:
-  static constexpr unsigned AllQuarters = 15;
+  static constexpr unsigned AllCells = 0xffff;
   static constexpr int QueueLength = 3;
 
   // Leaves wait until two more have come, by when they have arrived from memory.
@@ -102,52 +100,36 @@ private:
     const BvhStack::Entry first = this->Queue[0];
     std::copy(this->Queue + 1, this->Queue + this->Waiting, this->Queue);
     --this->Waiting;
-    if (first.Depth <= this->Last[first.Quarters])
+    if (first.Depth <= this->Last[first.Rectangle])
     {
-      this->Offer(BvhChild::Index(first.Child), this->Last[first.Quarters]);
+      this->Offer(BvhChild::Index(first.Child), this->Last[first.Rectangle]);
     }
   }
 
   // Puts the children of a node that may be seen before `last` on the stack.
   void Push(const BvhNode& node, float last)
   {
-    SeenBoxes seen;
-    this->View.Test(node, last, seen);
+    BlockParts parts;
     const int bottom = this->Stack.Number;
-    for (unsigned bits = seen.All; bits != 0; bits &= bits - 1)
+    for (unsigned seen = this->Places.Test(node, last, parts); seen != 0; seen &= seen - 1)
     {
-      const int i = __builtin_ctz(bits);
-      const unsigned quarters = seen.QuartersOf(i);
-      if (seen.Depth[i] <= this->Last[quarters])
+      const int i = __builtin_ctz(seen);
+      const unsigned rectangle = parts.Rectangle[i];
+      if (parts.Nearest[i] <= this->Last[rectangle])
       {
         if (!BvhChild::IsLeaf(node.Children[i]))
         {
           this->Hierarchy.Prefetch(node.Children[i]);
         }
-        this->Stack.Insert(bottom, { node.Children[i], seen.Depth[i], quarters });
+        this->Stack.Insert(bottom, { node.Children[i], parts.Nearest[i], rectangle });
       }
-    }
-  }
-
-  // Looks again where the farthest of the first hits are in some quarters.
-  void SetLast(unsigned quarters)
-  {
-    for (; quarters != 0; quarters &= quarters - 1)
-    {
-      const int quarter = __builtin_ctz(quarters);
-      this->Last[1u << quarter] = this->View.ScaledDepth(this->Block.LastDepth(quarter));
-    }
-    for (unsigned all = 1; all <= AllQuarters; ++all)
-    {
-      const unsigned rest = all & (all - 1);
-      this->Last[all] = std::max(this->Last[all ^ rest], this->Last[rest]);
     }
   }
 
   void Offer(std::uint32_t index, float last)
   {
     const BvhLeaf& leaf = this->Hierarchy.Leaves[index];
-    LeafParts parts;
+    BlockParts parts;
     unsigned seen = this->Places.Test(this->Hierarchy, leaf, last, parts);
     const bool exact = this->Hierarchy.Exact;
     for (unsigned bits = exact ? 0u : seen; bits != 0; bits &= bits - 1)
@@ -158,30 +140,33 @@ private:
     for (; seen != 0; seen &= seen - 1)
     {
       const int i = __builtin_ctz(seen);
+      if (parts.Nearest[i] > this->Last[parts.Rectangle[i]])
+      {
+        continue;
+      }
       const Sphere sphere = exact ? leaf.At(i) : this->Spheres[leaf.Ids[i]];
       const std::uint32_t place = index * BvhLeaf::Width + static_cast<std::uint32_t>(i);
       const BlockPart part = parts.Of(i);
       if (this->Block.Offer(
-            sphere, MakeKey(leaf.Ids[i], place), part, this->View.Depth(parts.Nearest[i])))
+            sphere, MakeKey(leaf.Ids[i], place), part, this->Places.Depth(parts.Nearest[i])))
       {
-        changed |= part.Quarters();
+        changed |= part.Cells();
       }
     }
     if (changed != 0)
     {
-      this->SetLast(changed);
+      this->Last.Update(this->Block, changed, this->Places.DepthScale());
     }
   }
 
   const Bvh& Hierarchy;
   const SphereArrays& Spheres;
   RayBlock& Block;
-  const Frustum View;
   const BlockScreen Places;
   BvhStack Stack;
   BvhStack::Entry Queue[QueueLength];
   int Waiting = 0;
-  float Last[AllQuarters + 1] = {}; // scaled depths, by the quarters that are looked at
+  CellDepths Last;
 };
 
 inline void TraceBlock(const Bvh& bvh, const SphereArrays& spheres, const CameraRays& rays,
