@@ -11,6 +11,7 @@
 #include "vtkSpherePackingTracerInternals.h"
 
 #include "kernels/BuildBvh.h"
+#include "kernels/RandomColor.h"
 
 #include "vtkCamera.h"
 #include "vtkErrorCode.h"
@@ -67,21 +68,6 @@ spherepacking::Grid SuitableGrid(
     }
     cells = std::floor(0.7 * cells);
   }
-}
-
-// Spread evenly by a mixing of the id's bits, and not too dark.
-// Source: Steele, Lea and Flood, "Fast Splittable Pseudorandom Number Generators" (2014).
-void RandomColor(std::uint64_t id, unsigned char* color)
-{
-  std::uint64_t z = (id + 1) * 0x9e3779b97f4a7c15u;
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-  z ^= z >> 31;
-  for (int channel = 0; channel < 3; ++channel)
-  {
-    color[channel] = static_cast<unsigned char>(64 + ((z >> (8 * channel)) & 0xff) * 3 / 4);
-  }
-  color[3] = 255;
 }
 
 vtkMTimeType LastChange(vtkPolyData* packing, vtkAbstractArray* radii)
@@ -313,7 +299,7 @@ void vtkSpherePackingTracer::MapColors(
   {
     for (vtkIdType i = 0; i < count; ++i)
     {
-      RandomColor(static_cast<std::uint64_t>(i), &colors[4 * i]);
+      spherepacking::RandomColor(static_cast<std::uint64_t>(i), &colors[4 * i]);
     }
     return;
   }

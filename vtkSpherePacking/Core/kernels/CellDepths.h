@@ -17,6 +17,7 @@ public:
   template <typename IntT>
   static IntT Rectangle(const IntT& x0, const IntT& x1, const IntT& y0, const IntT& y1)
   {
+    static_assert(RayBlock::Side == 16 && Side == 4, "two bits a number");
     return x0 >> 2 | (x1 >> 2) << 2 | (y0 >> 2) << 4 | (y1 >> 2) << 6;
   }
   static constexpr unsigned Whole = 3u << 2 | 3u << 6;
