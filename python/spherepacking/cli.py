@@ -41,13 +41,19 @@ app = App(
 )
 
 
-def _load() -> None:
-    """Import what takes long. Ctrl-C waits, since libraries may crash when it comes then."""
+def _load(*, drawing: bool = False) -> None:
+    """Import what takes long. Ctrl-C waits, since libraries may crash when it comes then.
+
+    PyVista imports what draws when it is asked for, and some of that by the first plotter.
+    """
     signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
     try:
-        import pyvista  # noqa: F401
+        import pyvista as pv
 
         from . import _backend, image, readers, writers  # noqa: F401
+
+        if drawing:
+            pv.Plotter(off_screen=True).close()
     finally:
         signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGINT})
 
@@ -145,7 +151,7 @@ def render(
     from ._offscreen import choose_window
 
     choose_window()
-    _load()
+    _load(drawing=True)
 
     from ._technique import add_boxes, save_ray_cast
     from ._view import aim, check_extent, fit
@@ -361,7 +367,7 @@ def bench(
     from ._offscreen import choose_window
 
     choose_window()
-    _load()
+    _load(drawing=True)
 
     from .bench.command import run
 
