@@ -121,7 +121,7 @@ def apollonian(levels: int) -> pv.PolyData:
     >>> packing = spherepacking.apollonian(4)
     >>> packing.n_points
     299
-    >>> packing["radius"].max()
+    >>> float(packing["radius"].max())
     0.5
     """
     try:

@@ -46,6 +46,13 @@ def count_of(name: str, value: int, least: int = 1, most: int = 2**31 - 1) -> in
     return count
 
 
+def flag_of(name: str, value: bool) -> bool:
+    """`value` as a truth value, or a TypeError."""
+    if not isinstance(value, bool | np.bool_):
+        raise TypeError(f"{name}: found {value!r}, expected True or False")
+    return bool(value)
+
+
 def size_of(name: str, value: Sequence[int], most: int) -> tuple[int, int]:
     """`value` as width and height of at most `most` pixels, or a TypeError or ValueError."""
     try:

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import threading
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 import pyvista as pv
 
 from . import _arguments as arguments
-from ._colour_map import colour_map_of
+from ._colour_map import colour_map_of, special_colours
 from ._progress import progress_bar
 from ._scalars import scalars_of
 
@@ -19,6 +20,7 @@ if TYPE_CHECKING:
     from pyvista.plotting._typing import ColorLike
 
     from ._backend import vtkSpherePackingTracer
+    from ._scalars import Scalars
 
 STRUCTURES = ("none", "grid", "bvh")
 _LARGEST_SIZE = 65536
@@ -46,6 +48,8 @@ class Caster:
     """A tracer that keeps its structure for as long as the packing does not change."""
 
     def __init__(self) -> None:
+        # Python code runs while the tracer works, and so may other threads.
+        self.lock = threading.Lock()
         self._tracer: vtkSpherePackingTracer | None = None
         # When what the tracer has was last changed; checking and colouring again take as long as
         # casting rays.
@@ -113,6 +117,8 @@ class Caster:
             self._look = key
         # The picture of the last time belongs to whoever asked for it.
         tracer.Modified()
+        # And so does its end before time.
+        tracer.SetAbortExecute(0)
         with progress_bar(tracer, "casting rays", delay=0.0 if progress else np.inf):
             tracer.Update()
         if tracer.GetErrorMessage():
@@ -162,7 +168,8 @@ def _key_of(packing: pv.PolyData, look: dict[str, object]) -> tuple[object, ...]
     if isinstance(cmap, pv.LookupTable):
         look = look | {"cmap": ("table", cmap.GetMTime())}
     theme = pv.global_theme
-    return (array and array.GetMTime(), repr(look), repr(theme.cmap), repr(theme.color))
+    names = (repr(name) for name in (look, theme.cmap, theme.color, theme.nan_color))
+    return (array and array.GetMTime(), *names)
 
 
 def _ignore(*_: object) -> None:
@@ -177,10 +184,13 @@ def camera_of(camera: object) -> object:
     camera : pyvista.Camera, vtkCamera or sequence
         A camera, or its position, focal point and view-up.
     """
-    if hasattr(camera, "IsA") and camera.IsA("vtkCamera"):
+    from ._backend import vtkCamera
+
+    if isinstance(camera, vtkCamera):
         return camera
     try:
-        position, focal_point, up = np.asarray(camera, dtype=float).reshape(3, 3).tolist()
+        points = np.asarray([list(point) for point in camera], dtype=float)
+        position, focal_point, up = points.reshape(3, 3).tolist()
     except (TypeError, ValueError):
         raise TypeError(
             f"camera: found a {type(camera).__name__}, expected a camera, or three points: its "
@@ -188,6 +198,8 @@ def camera_of(camera: object) -> object:
         ) from None
     if position == focal_point:
         raise ValueError(f"camera: found one that stands where it looks at, {position}")
+    if not any(up):
+        raise ValueError(f"camera: found the view-up {up}, expected a direction")
     made = pv.Camera()
     made.position, made.focal_point, made.up = position, focal_point, up
     return made
@@ -197,27 +209,42 @@ def _set_look(
     tracer: vtkSpherePackingTracer,
     packing: pv.PolyData,
     scalars: str | ArrayLike | None,
+    rgb: bool | None,
     cmap: str | list[ColorLike] | pv.LookupTable | None,
     clim: Sequence[float] | float | None,
     log_scale: bool,
     color: ColorLike | None,
     random_colors: bool,
 ) -> None:
-    """Colours as ``plotter.packing.add`` would give the spheres."""
-    from .mapper import SpherePackingMapper
-
-    found = scalars_of(packing, scalars, False, active=color is None and not random_colors)
+    """Colours as ``plotter.packing.add`` gives the spheres."""
+    theme = pv.global_theme
+    log_scale = arguments.flag_of("log_scale", log_scale)
+    random_colors = arguments.flag_of("random_colors", random_colors)
+    found = scalars_of(packing, scalars, rgb, active=color is None and not random_colors)
     words = colour_map_of(found, None, cmap, clim, 256, False, log_scale, None)
-    color = arguments.color_of("color", color)
-    tracer.SetRandomColors(bool(random_colors))
+    color = pv.Color(arguments.color_of("color", color), default_color=theme.color)
+    tracer.SetRandomColors(random_colors)
     tracer.SetColorArrayName("")
-    tracer.SetLookupTable(None)
-    tracer.SetColor(pv.Color(color, default_color=pv.global_theme.color).float_rgb)
+    tracer.SetColor(color.float_rgb)
     if found.values is None or not packing.n_points:
         return
+    colors = _colors_of(packing, found, words | special_colours(theme, None, 1.0, None, None))
     data = packing.copy(deep=False)
-    mapper = SpherePackingMapper(data, None, "radius")
-    mapper.set_scalars(found.values, found.name, **words)
+    data.GetPointData().AddArray(colors)
     tracer.SetInputData(data)
-    tracer.SetColorArrayName(found.name)
-    tracer.SetLookupTable(mapper.lookup_table)
+    tracer.SetColorArrayName(colors.GetName())
+
+
+def _colors_of(packing: pv.PolyData, scalars: Scalars, words: dict[str, object]) -> object:
+    """RGBA of each sphere, an array of VTK, as the mapper would draw it."""
+    from .mapper import SpherePackingMapper
+
+    mapper = SpherePackingMapper(packing.copy(deep=False), pv.global_theme, "radius")
+    mapper.set_scalars(scalars.values, scalars.name, rgb=scalars.rgb, **words)
+    # What PyVista puts before it makes the scalars the active ones.
+    mapper.GetInputAlgorithm().Update()
+    # Else VTK would hand out coordinates of a texture.
+    mapper.SetInterpolateScalarsBeforeMapping(False)
+    colors = mapper.MapScalars(1.0)
+    colors.SetName("spherepacking colors")
+    return colors

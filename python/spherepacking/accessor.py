@@ -34,7 +34,7 @@ class PackingAccessor:
     >>> import spherepacking
     >>> packing = spherepacking.apollonian(1)
     >>> packing.packing.n_spheres
-    13
+    9
     """
 
     def __init__(self, packing: pv.PolyData) -> None:
@@ -162,7 +162,7 @@ class PackingAccessor:
             bvh.SetDepth(arguments.count_of("depth", depth, least=0))
         elif boxes is not None:
             bvh.SetNumberOfBoxes(arguments.count_of("boxes", boxes))
-        bvh.SetLeavesOnly(leaves_only)
+        bvh.SetLeavesOnly(arguments.flag_of("leaves_only", leaves_only))
         return self._boxes_of(bvh, as_lines)
 
     def grid_boxes(self, cuts: int = 6, *, as_lines: bool = False) -> pv.PolyData:
@@ -217,7 +217,7 @@ class PackingAccessor:
             arguments.radii_of(self._packing, "radius")
         log = ErrorLog(algorithm)
         algorithm.SetInputData(self._packing)
-        algorithm.SetBoxesAsLines(as_lines)
+        algorithm.SetBoxesAsLines(arguments.flag_of("as_lines", as_lines))
         algorithm.Update()
         if log.messages:
             raise ValueError(algorithm.GetErrorMessage() or "\n".join(log.messages))
@@ -233,6 +233,7 @@ class PackingAccessor:
         samples: int = 1,
         tile: Sequence[int] | int | None = None,
         scalars: str | ArrayLike | None = None,
+        rgb: bool | None = None,
         cmap: str | list[ColorLike] | pv.LookupTable | None = None,
         clim: Sequence[float] | float | None = None,
         log_scale: bool = False,
@@ -244,8 +245,11 @@ class PackingAccessor:
 
         Every pixel holds the exact intersection of its ray, computed in double precision (Haines,
         Günther and Akenine-Möller, "Precision Improvements for Ray/Sphere Intersection", Ray
-        Tracing Gems, 2019). The structure decides about speed alone, not about a single bit. It is
-        kept, so that further pictures of the same packing take less time.
+        Tracing Gems, 2019). The structure decides about speed alone, not about a single bit, unless
+        the camera is more than 1e9 times as far away as the packing is large. It is kept, so that
+        further pictures of the same packing take less time, until points or radii are assigned, or
+        written to through ``packing.points`` and ``packing["radius"]``. Of changes through other
+        views of their memory, VTK and with it the structure know nothing.
 
         Parameters
         ----------
@@ -266,6 +270,8 @@ class PackingAccessor:
         scalars : str or array_like, optional
             What to colour by, as in ``plotter.packing.add``: a point array (n,), by default the
             active one.
+        rgb : bool, optional
+            Take the scalars for colours; by default if their name ends with ``_rgb`` or ``_rgba``.
         cmap : str, list or pyvista.LookupTable, optional
             Colour map of the scalars.
         clim : sequence of float, optional
@@ -309,16 +315,18 @@ class PackingAccessor:
         >>> image["color"].shape
         (20000, 4)
         """
-        self._caster.prepare(self._packing, camera, window_size, structure, cuts)
         look = {
             "scalars": scalars,
+            "rgb": rgb,
             "cmap": cmap,
             "clim": clim,
             "log_scale": log_scale,
             "color": color,
             "random_colors": random_colors,
         }
-        return self._caster.cast(self._packing, samples, tile, look, progress)
+        with self._caster.lock:
+            self._caster.prepare(self._packing, camera, window_size, structure, cuts)
+            return self._caster.cast(self._packing, samples, tile, look, progress)
 
     def pick(
         self,
@@ -359,8 +367,9 @@ class PackingAccessor:
         >>> found.normal.shape
         (3,)
         """
-        self._caster.prepare(self._packing, camera, window_size)
-        return self._caster.pick(self._packing, x, y)
+        with self._caster.lock:
+            self._caster.prepare(self._packing, camera, window_size)
+            return self._caster.pick(self._packing, x, y)
 
     def plot(self, **kwargs: object) -> object:
         """Show the packing in a window, or offscreen in a picture.

@@ -358,7 +358,8 @@ def bench(
     turns
         How many pictures of each are timed, after one that is not.
     limit
-        Seconds that a technique may take for its pictures of one packing.
+        Seconds that a technique may take for its pictures of one packing; the first picture of the
+        smallest packing is always made.
     csv
         File to write all numbers to.
     png

@@ -10,7 +10,8 @@ import pyvista as pv
 import spherepacking
 from arrays import packing_of
 from rays import Exact
-from spherepacking._backend import vtkSpherePackingTracer
+from spherepacking._backend import reference, vtkSpherePackingTracer
+from test_tracer_rays import CASES
 
 STRUCTURES = {"none": 0, "grid": 1, "bvh": 2}
 ARRAYS = ("color", "depth", "normal", "sphere_id")
@@ -107,6 +108,34 @@ def test_pictures_against_long_double(rng, view):
     assert (found["bvh"]["normal"][~hit] == 0).all()
     assert (found["bvh"]["color"][~hit] == 0).all()
     assert hit.any() == (view != "beside the scene")
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_pictures_of_hard_cases(rng, case):
+    """Blocks of rays see what single rays see, which are tested against long double."""
+    centers, radii = CASES[case](rng)
+    packing = packing_of(centers, radii)
+    low, high = (centers - radii[:, None]).min(axis=0), (centers + radii[:, None]).max(axis=0)
+    middle, extent = (low + high) / 2, np.max(high - low)
+    size = (48, 36)
+    seen = 0
+    for *view, angle in ((0.9, 0.8, 0.7, 20.0), (0.0, 0.0, 2.0, 40.0), (0.05, 0.0, 0.02, 90.0)):
+        camera = camera_of(middle + extent * np.array(view), middle, up=(0, 1, 0), angle=angle)
+        found = {s: picture(tracer_of(packing, camera, size, s)) for s in STRUCTURES}
+        for structure in STRUCTURES:
+            for name in ARRAYS:
+                np.testing.assert_array_equal(
+                    found[structure][name], found["none"][name], err_msg=structure
+                )
+        tracer = tracer_of(packing, camera, size)
+        ids, depth = found["bvh"]["sphere_id"], found["bvh"]["depth"]
+        t, normal = reference(0.0), [0.0, 0.0, 0.0]
+        for pixel in range(ids.size):
+            x, y = pixel % size[0] + 0.5, pixel // size[0] + 0.5
+            assert tracer.CastPixel(x, y, t, normal) == ids[pixel]
+            assert np.float32(float(t)) == depth[pixel]
+        seen += (ids >= 0).sum()
+    assert seen > 0
 
 
 @pytest.mark.parametrize("structure", STRUCTURES)
@@ -346,6 +375,15 @@ BAD = {
         t.SetCuts(100000),
     ),
     "scalars: the packing has no point array 'mass'": lambda t, p: t.SetColorArrayName("mass"),
+    "packing: found spheres over a length of 2e-200 at": lambda t, p: t.SetInputData(
+        packing_of(np.zeros((1, 3)), [1e-200])
+    ),
+    "packing: found spheres over a length of 200000 at coordinates up to 1e+31": lambda t, p: (
+        t.SetInputData(packing_of(np.array([[1e31, 0, 0]]), [1e5]))
+    ),
+    "the spheres reach from -1.5e+308 to 1.5e+308 along x": lambda t, p: t.SetInputData(
+        packing_of(np.array([[-1.5e308, 0, 0], [1.5e308, 0, 0]]), [1.0, 1.0])
+    ),
     "the packing has no point array 'width'": lambda t, p: t.SetRadiusArrayName("width"),
 }
 

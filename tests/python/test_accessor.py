@@ -113,6 +113,14 @@ def test_grid_boxes_refuse(cuts, error, found):
         packing().packing.grid_boxes(cuts)
 
 
+def test_grid_boxes_that_do_not_fit_in_memory():
+    """A sphere in a cube touches more than half of 500 cells cubed."""
+    mesh = pv.PolyData([0.0, 0.0, 0.0])
+    mesh["radius"] = [1.0]
+    with pytest.raises(ValueError, match=r"cuts: found 499, which makes \d+ boxes, more than"):
+        mesh.packing.grid_boxes(499)
+
+
 def test_grid_boxes_need_radii():
     with pytest.raises(KeyError, match="no point array 'radius'"):
         pv.PolyData(np.zeros((2, 3))).packing.grid_boxes(1)
@@ -143,6 +151,8 @@ def test_bvh_boxes_of_an_empty_packing():
         ({"boxes": 1.5}, TypeError, "boxes: found 1.5, expected an integer from 1"),
         ({"depth": -1}, ValueError, "depth: found -1, expected an integer from 0"),
         ({"depth": "3"}, TypeError, "depth: found '3', expected an integer from 0"),
+        ({"leaves_only": "x"}, TypeError, "leaves_only: found 'x', expected True or False"),
+        ({"as_lines": None}, TypeError, "as_lines: found None, expected True or False"),
         ({"boxes": 7, "depth": 3}, ValueError, "depth: found 3 beside boxes=7, expected one"),
     ],
 )

@@ -1,5 +1,9 @@
 """``packing.ray_cast`` and ``packing.pick``: what they show, refuse and keep."""
 
+import os
+import signal
+import threading
+
 import numpy as np
 import pytest
 import pyvista as pv
@@ -133,6 +137,9 @@ def test_an_empty_packing(spheres):
         ({"scalars": "mass"}, KeyError, "mass"),
         ({"clim": (1, 0)}, ValueError, "clim: found"),
         ({"color": "no colour"}, ValueError, "color: found"),
+        ({"camera": [(3, 3, 3), (0, 0, 0), (0, 0, 0)]}, ValueError, "camera: found the view-up"),
+        ({"log_scale": "x"}, TypeError, "log_scale: found 'x', expected True or False"),
+        ({"random_colors": 1}, TypeError, "random_colors: found 1, expected True or False"),
     ],
 )
 def test_refusals(spheres, words, error, found):
@@ -159,3 +166,96 @@ def test_no_radii(spheres):
 def test_pick_outside_of_the_picture(spheres, x, y):
     with pytest.raises(ValueError, match=r"[xy]: found"):
         PackingAccessor(spheres).pick(VIEW, SIZE, x, y)
+
+
+def test_cameras_of_pyvista(spheres):
+    accessor = PackingAccessor(spheres)
+    expected = np.array(accessor.ray_cast(VIEW, SIZE)["sphere_id"])
+    camera = pv.Camera()
+    camera.position, camera.focal_point, camera.up = VIEW
+    position = pv.CameraPosition(*VIEW)
+    for view in (camera, position, np.array(VIEW)):
+        assert (accessor.ray_cast(view, SIZE)["sphere_id"] == expected).all()
+        assert accessor.pick(view, SIZE, 30.5, 20.5).sphere_id == expected.reshape(40, 60)[20, 30]
+
+
+def test_after_ctrl_c_pictures_are_whole(spheres):
+    accessor = PackingAccessor(spherepacking.apollonian(5))
+    size = (1000, 1000)
+    expected = np.array(accessor.ray_cast(VIEW, size)["sphere_id"])
+    timer = threading.Timer(0.1, os.kill, (os.getpid(), signal.SIGINT))
+    timer.start()
+    with pytest.raises(KeyboardInterrupt):
+        accessor.ray_cast(VIEW, size, structure="none")
+    timer.join()
+    for _ in range(2):
+        assert (accessor.ray_cast(VIEW, size)["sphere_id"] == expected).all()
+
+
+def test_threads_take_turns(spheres):
+    accessor = PackingAccessor(spheres)
+    sizes = (80, 200, 300)
+    expected = {n: np.array(accessor.ray_cast(VIEW, (n, n))["sphere_id"]) for n in sizes}
+    wrong = []
+
+    def work(n):
+        for _ in range(10):
+            image = accessor.ray_cast(VIEW, (n, n), tile=16)
+            if image.dimensions != (n, n, 1) or (image["sphere_id"] != expected[n]).any():
+                wrong.append(n)
+
+    threads = [threading.Thread(target=work, args=(n,)) for n in sizes]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert not wrong
+
+
+ONE = (300, 300)
+SCALARS = {
+    "small integers": lambda x: (2 * x).astype(np.uint8),
+    "integers": lambda x: (2 * x).astype(np.int16),
+    "truth values": lambda x: x % 2 == 1,
+    "vectors": lambda x: np.column_stack([0.0 * x, x, 0.0 * x]),
+    "texts": lambda x: np.where(x % 2 == 1, "a", "b"),
+    "all NaN": lambda x: np.full(x.shape, np.nan),
+    "float_rgb": lambda x: np.tile([0.0, 1.0, 0.3], (x.size, 1)),
+    "byte_rgb": lambda x: np.column_stack([2 * x, 0 * x, 255 - 2 * x]).astype(np.uint8),
+    "float_rgba": lambda x: np.column_stack([x / x.size, 0 * x, 0 * x, 0 * x + 1.0]),
+}
+
+
+@pytest.mark.parametrize("by_value", [False, True])
+@pytest.mark.parametrize("name", SCALARS)
+def test_colours_are_those_of_the_plotter(spheres, name, by_value):
+    values = SCALARS[name](np.arange(spheres.n_points))
+    words = {"rgb": name.endswith(("_rgb", "_rgba")), "scalars": values if by_value else name}
+    spheres[name] = values
+    # The light of a ray cast comes from the camera, and is 1 where the surface faces it.
+    image = PackingAccessor(spheres).ray_cast(VIEW, ONE, cmap=["blue", "lime", "red"], **words)
+    towards = np.ones(3) / np.sqrt(3)
+    facing = image["normal"] @ towards > 0.985
+    plotter = pv.Plotter(off_screen=True, window_size=ONE, lighting="none")
+    plotter.render_window.SetMultiSamples(0)
+    plotter.packing.add(
+        spheres, cmap=["blue", "lime", "red"], lighting=False, show_scalar_bar=False, **words
+    )
+    plotter.camera_position = VIEW
+    drawn = plotter.screenshot(return_img=True)[::-1].reshape(-1, 3)
+    plotter.close()
+    assert facing.sum() > 100
+    # Pixels where the two see different spheres are rarer than one in a hundred.
+    error = np.abs(image["color"][facing, :3].astype(float) - drawn[facing]).max(axis=1)
+    assert np.quantile(error, 0.99) <= 255 * 0.015 + 1
+
+
+def test_lengths_that_depths_do_not_hold(spheres):
+    spheres.points *= 1e35
+    spheres["radius"] = 1e35 * spheres["radius"]
+    for cast in (
+        lambda: spheres.packing.ray_cast(VIEW, SIZE),
+        lambda: spheres.packing.pick(VIEW, SIZE, 1, 1),
+    ):
+        with pytest.raises(ValueError, match="packing: found spheres over a length of"):
+            cast()

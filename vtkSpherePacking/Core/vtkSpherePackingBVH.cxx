@@ -25,9 +25,6 @@ namespace
 // What is held at the same time for a leaf: the nodes above it in the builder and in the tree.
 constexpr double BytesPerLeaf = 512.0;
 
-// Points, cells and arrays of a box in the output, and before that in a list.
-constexpr double BytesPerBox = 768.0;
-
 void AddLeafOfSphere(const spherepacking::BoxTree& tree, vtkPolyData* output)
 {
   vtkNew<vtkIdTypeArray> leaves;
@@ -70,7 +67,8 @@ void vtkSpherePackingBVH::CheckOptions(vtkIdType spheres)
   const double wanted = byDepth ? std::exp2(this->Depth) : this->NumberOfBoxes;
   const double leaves = std::min(wanted, static_cast<double>(spheres));
   const double boxes = this->LeavesOnly ? leaves : 2.0 * leaves;
-  if (leaves * BytesPerLeaf + boxes * BytesPerBox > vtkSpherePackingHalfOfMemory())
+  if (leaves * BytesPerLeaf + boxes * vtkSpherePackingBoxes::BytesPerBox >
+    vtkSpherePackingHalfOfMemory())
   {
     throw std::invalid_argument(
       found + ", which makes more boxes than fit in half of the memory, expected fewer");

@@ -2,6 +2,7 @@
 #include "vtkSpherePackingBoxAlgorithm.h"
 
 #include "vtkSpherePackingBoxes.h"
+#include "vtkSpherePackingExtent.h"
 #include "vtkSpherePackingFields.h"
 #include "vtkSpherePackingInput.h"
 
@@ -12,8 +13,7 @@
 #include "vtkPolyData.h"
 
 #include <chrono>
-#include <cmath>
-#include <sstream>
+#include <new>
 #include <stdexcept>
 
 namespace
@@ -27,20 +27,6 @@ vtkDataArray* RadiiOf(vtkPolyData* packing, const char* name)
     throw std::invalid_argument(check->GetMessage());
   }
   return radii;
-}
-
-void CheckExtent(const double bounds[6])
-{
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    if (!std::isfinite(bounds[2 * axis + 1] - bounds[2 * axis]))
-    {
-      std::ostringstream message;
-      message << "the spheres reach from " << bounds[2 * axis] << " to " << bounds[2 * axis + 1]
-              << " along " << "xyz"[axis] << ", expected less than double precision can hold";
-      throw std::invalid_argument(message.str());
-    }
-  }
 }
 }
 
@@ -59,7 +45,7 @@ int vtkSpherePackingBoxAlgorithm::RequestData(
     const auto start = std::chrono::steady_clock::now();
     double bounds[6];
     vtkSpherePackingInput::ComputeBounds(packing, radii, bounds);
-    CheckExtent(bounds);
+    vtkSpherePackingCheckFinite(bounds);
     vtkSpherePackingBoxes boxes;
     this->MakeBoxes(packing, radii, bounds, boxes, output);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
@@ -68,12 +54,22 @@ int vtkSpherePackingBoxAlgorithm::RequestData(
   }
   catch (const std::invalid_argument& error)
   {
-    this->ErrorMessage = error.what();
-    this->SetErrorCode(vtkErrorCode::UserError);
-    vtkErrorMacro(<< this->ErrorMessage);
-    return 0;
+    return this->Fail(error.what());
+  }
+  catch (const std::bad_alloc&)
+  {
+    return this->Fail("the boxes do not fit in the memory that is free, expected fewer");
   }
   return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkSpherePackingBoxAlgorithm::Fail(const std::string& message)
+{
+  this->ErrorMessage = message;
+  this->SetErrorCode(vtkErrorCode::UserError);
+  vtkErrorMacro(<< message);
+  return 0;
 }
 
 //------------------------------------------------------------------------------

@@ -72,6 +72,7 @@ protected:
 private:
   vtkSpherePackingBoxAlgorithm(const vtkSpherePackingBoxAlgorithm&) = delete;
   void operator=(const vtkSpherePackingBoxAlgorithm&) = delete;
+  int Fail(const std::string& message);
 
   bool BoxesAsLines = false;
   std::string RadiusArrayName = "radius";

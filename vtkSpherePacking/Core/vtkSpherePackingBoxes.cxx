@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSpherePackingBoxes.h"
 
+#include "vtkSpherePackingMemory.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -11,6 +13,7 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
@@ -53,6 +56,20 @@ void AddCellArray(
   }
   output->GetCellData()->AddArray(array);
 }
+}
+
+//------------------------------------------------------------------------------
+void vtkSpherePackingBoxes::Reserve(const std::string& asked, vtkIdType count)
+{
+  if (static_cast<double>(count) * BytesPerBox > vtkSpherePackingHalfOfMemory())
+  {
+    throw std::invalid_argument(asked + ", which makes " + std::to_string(count) +
+      " boxes, more than fit in half of the memory, expected fewer");
+  }
+  this->Boxes.reserve(count);
+  this->Ids.reserve(count);
+  this->Depths.reserve(count);
+  this->Counts.reserve(count);
 }
 
 //------------------------------------------------------------------------------

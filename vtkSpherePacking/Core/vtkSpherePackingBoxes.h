@@ -8,6 +8,7 @@
 #include "vtkABINamespace.h"
 #include "vtkType.h"
 
+#include <string>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -19,6 +20,13 @@ struct vtkSpherePackingBoxes
   std::vector<vtkIdType> Ids;    // cell array `box_id`
   std::vector<int> Depths;       // cell array `depth`
   std::vector<vtkIdType> Counts; // cell array `count`
+
+  // Points, cells and arrays of a box in the output, and before that in the lists above.
+  static constexpr double BytesPerBox = 768.0;
+
+  // Makes room. More boxes than fit in half of the memory throw a std::invalid_argument, which
+  // begins with what was asked for.
+  void Reserve(const std::string& asked, vtkIdType count);
 
   void Add(const spherepacking::Box& box, vtkIdType id, int depth, vtkIdType count);
 

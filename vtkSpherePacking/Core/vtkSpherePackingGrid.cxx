@@ -12,10 +12,20 @@
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 vtkStandardNewMacro(vtkSpherePackingGrid);
+
+namespace
+{
+std::int64_t CountTouched(const std::atomic<std::int32_t>* counts, std::int64_t cells)
+{
+  return std::count_if(
+    counts, counts + cells, [](const std::atomic<std::int32_t>& count) { return count != 0; });
+}
+}
 
 //------------------------------------------------------------------------------
 void vtkSpherePackingGrid::CheckOptions(vtkIdType)
@@ -45,6 +55,8 @@ void vtkSpherePackingGrid::MakeBoxes(vtkPolyData* packing, vtkDataArray* radii,
     const vtkSpherePackingArrays spheres(packing, radii);
     const spherepacking::CellCounts counts =
       spherepacking::CountTouches(grid, spheres.Get(), 0.0, vtkSpherePackingParallelFor());
+    boxes.Reserve(
+      "cuts: found " + std::to_string(this->Cuts), CountTouched(counts.get(), grid.Count()));
     for (std::int64_t i = 0; i < grid.Count(); ++i)
     {
       if (const int count = counts[i])

@@ -2,6 +2,7 @@
 #include "vtkSpherePackingTracer.h"
 
 #include "vtkSpherePackingCameraRays.h"
+#include "vtkSpherePackingExtent.h"
 #include "vtkSpherePackingFields.h"
 #include "vtkSpherePackingInput.h"
 #include "vtkSpherePackingMemory.h"
@@ -30,6 +31,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <new>
 #include <sstream>
 #include <stdexcept>
 
@@ -212,12 +214,14 @@ void vtkSpherePackingTracer::Prepare(vtkPolyData* packing)
     throw std::invalid_argument(check->GetMessage());
   }
   vtkSpherePackingTracerInternals& kept = *this->Internals;
+  kept = vtkSpherePackingTracerInternals();
   if (!radii)
   {
-    kept = vtkSpherePackingTracerInternals();
     return;
   }
-  kept = vtkSpherePackingTracerInternals();
+  double bounds[6];
+  vtkSpherePackingInput::ComputeBounds(packing, radii, bounds);
+  vtkSpherePackingCheckExtent(bounds);
   const auto start = std::chrono::steady_clock::now();
   kept.Arrays.reset(new vtkSpherePackingArrays(packing, radii));
   this->BuildStructure(packing, radii);
@@ -357,6 +361,10 @@ int vtkSpherePackingTracer::RequestData(
   catch (const std::invalid_argument& error)
   {
     return this->Fail(error.what());
+  }
+  catch (const std::bad_alloc&)
+  {
+    return this->Fail("the picture or the structure does not fit in the memory that is free");
   }
   return 1;
 }

@@ -15,7 +15,9 @@
  *
  * The camera's clipping planes do not count. From inside a sphere its far side is seen. Where two
  * surfaces are equally far the lower id is seen. The structure never changes the picture, to the
- * last bit; how exact it is says kernels/RaySphere.h.
+ * last bit, unless the camera is more than 10^9 times as far away as the packing is large; how
+ * exact the picture is says kernels/RaySphere.h. Packings smaller than 10^-30 and coordinates
+ * beyond 10^30 are an error.
  *
  * Spheres have the colour that the lookup table gives their scalars, or random colours of their
  * own, or are white.
