@@ -15,7 +15,7 @@ import pytest
 TESTS = Path(__file__).resolve().parent
 ROOT = TESTS.parent
 # Folders whose tests open no window, and those that also run under the sanitizers.
-WINDOWLESS = {"core", "packaging", "reader"}
+WINDOWLESS = {"core", "light", "packaging", "reader"}
 HARD = {"core", "reader"}
 
 # The same examples in every run: a failure on one machine is a failure on all.

@@ -12,6 +12,7 @@ import importlib
 
 __all__ = [
     "PackingFileError",
+    "Sun",
     "apollonian",
     "compare_images",
     "read",
@@ -24,6 +25,7 @@ __all__ = [
 # package does not decide which VTK PyVista runs on.
 _HOMES = {
     "PackingFileError": "._errors",
+    "Sun": "._sky",
     "apollonian": "._apollonian",
     "compare_images": ".image",
     "read": ".readers",

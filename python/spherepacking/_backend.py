@@ -66,6 +66,7 @@ vtkCamera = importlib.import_module(f"{VTK_ROOT}.vtkRenderingCore").vtkCamera
 vtkSpherePackingBVH = _core.vtkSpherePackingBVH
 vtkSpherePackingGrid = _core.vtkSpherePackingGrid
 vtkSpherePackingInput = _core.vtkSpherePackingInput
+vtkSpherePackingPathTracer = _core.vtkSpherePackingPathTracer
 vtkSpherePackingReader = _core.vtkSpherePackingReader
 vtkSpherePackingTracer = _core.vtkSpherePackingTracer
 vtkSpherePackingWriter = _core.vtkSpherePackingWriter

@@ -47,6 +47,11 @@ class Pick(NamedTuple):
 class Caster:
     """A tracer that keeps its structure for as long as the packing does not change."""
 
+    tracer_class = "vtkSpherePackingTracer"
+    label = "casting rays"
+    plain = False
+    """Whether spheres are white if nothing is said, instead of as the plotter draws them."""
+
     def __init__(self) -> None:
         # Python code runs while the tracer works, and so may other threads.
         self.lock = threading.Lock()
@@ -65,8 +70,6 @@ class Caster:
         cuts: int | None = None,
     ) -> vtkSpherePackingTracer:
         """Check the arguments and hand them to the tracer."""
-        from ._backend import vtkSpherePackingTracer
-
         if structure not in STRUCTURES:
             raise ValueError(
                 f"structure: found {structure!r}, expected one of {', '.join(STRUCTURES)}"
@@ -81,7 +84,9 @@ class Caster:
             if packing.n_points:
                 arguments.radii_of(packing, "radius")
         if self._tracer is None:
-            self._tracer = vtkSpherePackingTracer()
+            from . import _backend
+
+            self._tracer = getattr(_backend, self.tracer_class)()
             # Errors are raised, not printed.
             self._tracer.AddObserver("ErrorEvent", _ignore)
             self._tracer.GetExecutive().AddObserver("ErrorEvent", _ignore)
@@ -99,27 +104,25 @@ class Caster:
     def cast(
         self,
         packing: pv.PolyData,
-        samples: int,
         tile: Sequence[int] | int | None,
         look: dict[str, object],
         progress: bool,
     ) -> pv.ImageData:
         """Make the picture."""
         tracer = self._tracer
-        tracer.SetSamples(arguments.count_of("samples", samples, most=16))
         tile = 64 if tile is None else tile
         tile = (tile, tile) if np.ndim(tile) == 0 else tile
         tracer.SetTileSize(arguments.size_of("tile", tile, most=_LARGEST_SIZE))
         key = _key_of(packing, look)
         if key is None or key != self._look:
             self._look = None
-            _set_look(tracer, packing, **look)
+            _set_look(tracer, packing, self.plain, **look)
             self._look = key
         # The picture of the last time belongs to whoever asked for it.
         tracer.Modified()
         # And so does its end before time.
         tracer.SetAbortExecute(0)
-        with progress_bar(tracer, "casting rays", delay=0.0 if progress else np.inf):
+        with progress_bar(tracer, self.label, delay=0.0 if progress else np.inf):
             tracer.Update()
         if tracer.GetErrorMessage():
             raise ValueError(tracer.GetErrorMessage())
@@ -208,6 +211,7 @@ def camera_of(camera: object) -> object:
 def _set_look(
     tracer: vtkSpherePackingTracer,
     packing: pv.PolyData,
+    plain: bool,
     scalars: str | ArrayLike | None,
     rgb: bool | None,
     cmap: str | list[ColorLike] | pv.LookupTable | None,
@@ -220,9 +224,11 @@ def _set_look(
     theme = pv.global_theme
     log_scale = arguments.flag_of("log_scale", log_scale)
     random_colors = arguments.flag_of("random_colors", random_colors)
-    found = scalars_of(packing, scalars, rgb, active=color is None and not random_colors)
+    active = color is None and not random_colors and not plain
+    found = scalars_of(packing, scalars, rgb, active=active)
     words = colour_map_of(found, None, cmap, clim, 256, False, log_scale, None)
-    color = pv.Color(arguments.color_of("color", color), default_color=theme.color)
+    default = "white" if plain else theme.color
+    color = pv.Color(arguments.color_of("color", color), default_color=default)
     tracer.SetRandomColors(random_colors)
     tracer.SetColorArrayName("")
     tracer.SetColor(color.float_rgb)

@@ -10,6 +10,8 @@ import pyvista as pv
 from pyvista.core._typing_core import BoundsTuple
 
 from . import _arguments as arguments
+from ._boxes import BoxesOfPacking
+from ._pathtrace import PathTracer
 from ._raycast import Caster, Pick
 
 if TYPE_CHECKING:
@@ -19,9 +21,11 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
     from pyvista.plotting._typing import ColorLike
 
+    from ._sky import Sun
+
 
 @pv.register_dataset_accessor("packing", pv.PolyData)
-class PackingAccessor:
+class PackingAccessor(BoxesOfPacking):
     """Points as centres of spheres, the point array ``radius`` as their radii.
 
     Parameters
@@ -40,6 +44,7 @@ class PackingAccessor:
     def __init__(self, packing: pv.PolyData) -> None:
         self._packing = packing
         self._caster = Caster()
+        self._path_tracer = PathTracer()
 
     @property
     def n_spheres(self) -> int:
@@ -97,131 +102,6 @@ class PackingAccessor:
         from .writers import write
 
         write(self._packing, path)
-
-    def bvh_boxes(
-        self,
-        boxes: int | None = None,
-        depth: int | None = None,
-        leaves_only: bool = True,
-        *,
-        as_lines: bool = False,
-    ) -> pv.PolyData:
-        """Boxes of a bounding volume hierarchy, each the bounds of its spheres in double precision.
-
-        The spheres are split in two over and over, by the surface-area heuristic over all axes (I.
-        Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies", 2007), so that every
-        sphere lies in exactly one leaf.
-
-        Parameters
-        ----------
-        boxes : int, default: 15
-            How many leaves there are, 1 or more, unless there are fewer spheres. What lowers the
-            cost most is split first.
-        depth : int, optional
-            Instead of `boxes`, the depth down to which every node of more than one sphere is
-            split, 0 for one box around all spheres.
-        leaves_only : bool, default: True
-            The boxes of the leaves, instead of those of all nodes.
-        as_lines : bool, default: False
-            Twelve lines a box instead of six quads.
-
-        Returns
-        -------
-        pyvista.PolyData
-            Six quads (or twelve lines) a box, with the cell arrays ``box_id`` (the node, numbered
-            depth first from 0 for the root), ``depth`` (0 for the root) and ``count`` (spheres in
-            the box). Field arrays: ``build_seconds``, ``memory_bytes``, ``occupied_share`` (volumes
-            of the leaves over that of the root), ``leaf_of_sphere`` (n,), the ``box_id`` of the
-            leaf of every sphere, and ``sah_cost``, the expected number of nodes and spheres that a
-            random ray through the root is tested against (J. Goldsmith and J. Salmon, 1987; J. D.
-            MacDonald and K. S. Booth, 1990). Empty for an empty packing.
-
-        Raises
-        ------
-        KeyError
-            If there is no point array ``radius``.
-        TypeError
-            If `boxes` or `depth` is no integer, or the radii are no real numbers.
-        ValueError
-            If `boxes` is not positive or `depth` negative, if both are given or make more boxes
-            than fit in memory, or if a radius is none.
-
-        Examples
-        --------
-        >>> import spherepacking
-        >>> packing = spherepacking.apollonian(2)
-        >>> packing.packing.bvh_boxes(7).n_cells // 6
-        7
-        """
-        from ._backend import vtkSpherePackingBVH
-
-        if boxes is not None and depth is not None:
-            raise ValueError(f"depth: found {depth!r} beside boxes={boxes!r}, expected one of them")
-        bvh = vtkSpherePackingBVH()
-        if depth is not None:
-            bvh.SetDepth(arguments.count_of("depth", depth, least=0))
-        elif boxes is not None:
-            bvh.SetNumberOfBoxes(arguments.count_of("boxes", boxes))
-        bvh.SetLeavesOnly(arguments.flag_of("leaves_only", leaves_only))
-        return self._boxes_of(bvh, as_lines)
-
-    def grid_boxes(self, cuts: int = 6, *, as_lines: bool = False) -> pv.PolyData:
-        """Boxes of the cells of a uniform grid that spheres touch.
-
-        The bounds of the packing are cut `cuts` times along each axis. A cell is touched when the
-        centre of a sphere is no farther from it than the radius (J. Arvo, "A Simple Method for
-        Box-Sphere Intersection Testing", Graphics Gems, 1990).
-
-        Parameters
-        ----------
-        cuts : int, default: 6
-            How often each axis is cut, 0 or more; there are ``(cuts + 1) ** 3`` cells.
-        as_lines : bool, default: False
-            Twelve lines a box instead of six quads.
-
-        Returns
-        -------
-        pyvista.PolyData
-            Six quads (or twelve lines) a box, with the cell arrays ``box_id`` (the cell, x
-            fastest), ``depth`` (0) and ``count`` (spheres that touch the cell), and the field
-            arrays ``build_seconds``, ``memory_bytes`` and ``occupied_share``. Empty for an empty
-            packing.
-
-        Raises
-        ------
-        KeyError
-            If there is no point array ``radius``.
-        TypeError
-            If `cuts` is no integer, or the radii are no real numbers.
-        ValueError
-            If `cuts` is negative or makes more cells than fit in memory, or a radius is none.
-
-        Examples
-        --------
-        >>> import spherepacking
-        >>> boxes = spherepacking.apollonian(2).packing.grid_boxes(1)
-        >>> boxes.n_cells // 6
-        8
-        """
-        from ._backend import vtkSpherePackingGrid
-
-        grid = vtkSpherePackingGrid()
-        grid.SetCuts(arguments.count_of("cuts", cuts, least=0))
-        return self._boxes_of(grid, as_lines)
-
-    def _boxes_of(self, algorithm: object, as_lines: bool) -> pv.PolyData:
-        """Output of a filter from packings to boxes, or a ValueError with its sentence."""
-        from ._errors import ErrorLog
-
-        if self.n_spheres:
-            arguments.radii_of(self._packing, "radius")
-        log = ErrorLog(algorithm)
-        algorithm.SetInputData(self._packing)
-        algorithm.SetBoxesAsLines(arguments.flag_of("as_lines", as_lines))
-        algorithm.Update()
-        if log.messages:
-            raise ValueError(algorithm.GetErrorMessage() or "\n".join(log.messages))
-        return pv.wrap(algorithm.GetOutput())
 
     def ray_cast(
         self,
@@ -324,9 +204,168 @@ class PackingAccessor:
             "color": color,
             "random_colors": random_colors,
         }
+        samples = arguments.count_of("samples", samples, most=16)
         with self._caster.lock:
-            self._caster.prepare(self._packing, camera, window_size, structure, cuts)
-            return self._caster.cast(self._packing, samples, tile, look, progress)
+            tracer = self._caster.prepare(self._packing, camera, window_size, structure, cuts)
+            tracer.SetSamples(samples)
+            return self._caster.cast(self._packing, tile, look, progress)
+
+    def path_trace(
+        self,
+        camera: pv.Camera | Sequence[Sequence[float]],
+        window_size: Sequence[int],
+        *,
+        samples: int = 16,
+        max_bounces: int = 4,
+        albedo: float = 0.8,
+        sky: float | ArrayLike | str | os.PathLike[str] = 1.0,
+        sun: Sun | Sequence[float] | None = None,
+        seed: int = 0,
+        structure: str = "bvh",
+        cuts: int | None = None,
+        tile: Sequence[int] | int | None = None,
+        time_budget: float | None = None,
+        noise_target: float | None = None,
+        min_samples: int = 16,
+        exposure: float = 0.0,
+        filmic: bool = False,
+        sky_visible: bool = True,
+        scalars: str | ArrayLike | None = None,
+        rgb: bool | None = None,
+        cmap: str | list[ColorLike] | pv.LookupTable | None = None,
+        clim: Sequence[float] | float | None = None,
+        log_scale: bool = False,
+        color: ColorLike | None = None,
+        random_colors: bool = False,
+        progress: bool = False,
+    ) -> pv.ImageData:
+        """Make a picture in the light of a sky and a sun, by following paths of light.
+
+        Spheres are opaque and matt (Lambert's law). Paths are drawn in proportion to what they
+        bring (J. T. Kajiya, "The Rendering Equation", 1986), with Owen-scrambled Sobol points (B.
+        Burley, "Practical Hash-based Owen Scrambling", 2020). The picture depends on the seed
+        alone, not on tiles, threads or structure. It is kept: called again with more samples, only
+        those that are missing are traced, also after Ctrl-C or a time budget.
+
+        Parameters
+        ----------
+        camera : pyvista.Camera or sequence
+            A camera, or its position, focal point and view-up (3, 3). Its clipping planes do not
+            count.
+        window_size : sequence of int
+            Width and height of the picture in pixels.
+        samples : int, default: 16
+            Paths a pixel, 1 or more.
+        max_bounces : int, default: 4
+            How many spheres a path may visit, 0 or more; 1 for direct light alone, which under a
+            sky is ambient occlusion.
+        albedo : float, default: 0.8
+            What part of the light a white sphere reflects, from 0 to 1. Colours are multiplied by
+            it.
+        sky : float, array_like, str or os.PathLike, default: 1.0
+            Radiance of the sky, linear: one number, or red, green and blue; two of either for the
+            bottom (-z) and the top (+z); or an equirectangular image (height, width, 3), or the
+            file of one, whose upper side is +z and whose middle is +x. Integers in images are sRGB.
+        sun : Sun or sequence of float, optional
+            A :class:`spherepacking.Sun`, or the direction towards one of radiance 1.
+        seed : int, default: 0
+            Seed of the random numbers, from 0 to 2**32 - 1.
+        structure : {"bvh", "grid", "none"}, default: "bvh"
+            How rays find spheres, as in :meth:`ray_cast`.
+        cuts : int, optional
+            How often the grid cuts each axis.
+        tile : int or sequence of int, default: 64
+            Width and height in pixels of the tiles in which the picture is made.
+        time_budget : float, optional
+            Seconds after which no tile is begun any more; every pixel has a sample at least.
+        noise_target : float, optional
+            Relative error at which a part of the picture, 32 x 32 pixels, gets no more samples.
+        min_samples : int, default: 16
+            Samples from which on that error is believed, 2 or more.
+        exposure : float, default: 0.0
+            In ``color``, light counts 2**exposure times.
+        filmic : bool, default: False
+            A filmic curve for ``color`` (K. Narkowicz, "ACES Filmic Tone Mapping Curve", 2015)
+            instead of cutting light off at white.
+        sky_visible : bool, default: True
+            Show the sky in ``color``; otherwise its opacity is the coverage.
+        scalars : str or array_like, optional
+            What to colour by, as in ``plotter.packing.add``; by default spheres are white.
+        rgb : bool, optional
+            Take the scalars for colours; by default if their name ends with ``_rgb`` or ``_rgba``.
+        cmap : str, list or pyvista.LookupTable, optional
+            Colour map of the scalars.
+        clim : sequence of float, optional
+            Range of the scalars that the colour map spans.
+        log_scale : bool, default: False
+            Map scalars logarithmically.
+        color : ColorLike, optional
+            One colour for all spheres.
+        random_colors : bool, default: False
+            One random colour a sphere.
+        progress : bool, default: False
+            Show a progress bar. Ctrl-C stops the work with or without.
+
+        Returns
+        -------
+        pyvista.ImageData
+            One point a pixel, from the lower left corner, with the point arrays ``color`` (RGBA,
+            uint8, sRGB), ``radiance`` (float32, 3, linear, the sky included), ``albedo`` and
+            ``normal`` (float32, 3, means over the samples, 0 for the sky), ``depth`` (float32) and
+            ``sphere_id`` (int64) of the pixel's middle as in :meth:`ray_cast`, ``coverage``
+            (float32, share of the samples that hit a sphere), ``samples`` (uint32) and ``variance``
+            (float32, of the radiance's brightness, not too small). Field arrays: as in
+            :meth:`ray_cast` without ``partial_seconds``, and ``traced_samples``, how many were
+            added over all pixels.
+
+        Raises
+        ------
+        FileNotFoundError, OSError
+            If the image of the sky cannot be read.
+        KeyError
+            If there is no point array ``radius``, or none of the name `scalars`.
+        TypeError
+            If an argument is of a type that cannot be meant.
+        ValueError
+            If an argument is out of its range, the camera sees nothing, or a radius is none.
+        KeyboardInterrupt
+            If Ctrl-C was pressed; what has been traced is kept for the next call.
+
+        Examples
+        --------
+        >>> import spherepacking
+        >>> packing = spherepacking.apollonian(3)
+        >>> view = [(3, 3, 3), (0, 0, 0), (0, 0, 1)]
+        >>> image = packing.packing.path_trace(view, (200, 100), samples=4)
+        >>> image["radiance"].shape
+        (20000, 3)
+        """
+        look = {
+            "scalars": scalars,
+            "rgb": rgb,
+            "cmap": cmap,
+            "clim": clim,
+            "log_scale": log_scale,
+            "color": color,
+            "random_colors": random_colors,
+        }
+        with self._path_tracer.lock:
+            self._path_tracer.prepare(self._packing, camera, window_size, structure, cuts)
+            self._path_tracer.set_paths(
+                samples=samples,
+                max_bounces=max_bounces,
+                albedo=albedo,
+                sky=sky,
+                sun=sun,
+                seed=seed,
+                time_budget=time_budget,
+                noise_target=noise_target,
+                min_samples=min_samples,
+                exposure=exposure,
+                filmic=filmic,
+                sky_visible=sky_visible,
+            )
+            return self._path_tracer.cast(self._packing, tile, look, progress)
 
     def pick(
         self,

@@ -11,6 +11,7 @@
 #include "vtkPointData.h"
 #include "vtkTypeInt64Array.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtkUnsignedIntArray.h"
 
 #include <algorithm>
 #include <limits>
@@ -48,6 +49,22 @@ spherepacking::Picture vtkSpherePackingAddPicture(vtkImageData* image)
     AddPixels<vtkTypeInt64Array>(image, "sphere_id", 1) };
   image->GetPointData()->SetActiveScalars("color");
   return picture;
+}
+
+//------------------------------------------------------------------------------
+void vtkSpherePackingAddPathPicture(vtkImageData* image)
+{
+  for (const char* name : { "radiance", "albedo", "normal" })
+  {
+    AddPixels<vtkFloatArray>(image, name, 3);
+  }
+  for (const char* name : { "depth", "coverage", "variance" })
+  {
+    AddPixels<vtkFloatArray>(image, name, 1);
+  }
+  AddPixels<vtkTypeInt64Array>(image, "sphere_id", 1);
+  AddPixels<vtkUnsignedIntArray>(image, "samples", 1);
+  AddPixels<vtkUnsignedCharArray>(image, "color", 4);
 }
 
 //------------------------------------------------------------------------------

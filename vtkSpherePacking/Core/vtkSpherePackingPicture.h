@@ -16,6 +16,9 @@ class vtkImageData;
 // Adds the point arrays of a picture to an image that has its size; their values mean nothing yet.
 spherepacking::Picture vtkSpherePackingAddPicture(vtkImageData* image);
 
+// The same for the arrays of a picture that paths make.
+void vtkSpherePackingAddPathPicture(vtkImageData* image);
+
 // Adds the field array "tile_extents".
 void vtkSpherePackingAddExtents(
   vtkDataObject* output, const std::vector<spherepacking::Tile>& tiles);

@@ -174,7 +174,7 @@ void vtkSpherePackingTracer::Check() const
       "tile: found " + Two(this->TileSize) + ", expected two numbers from 1 on");
   }
   const double pixels = static_cast<double>(this->WindowSize[0]) * this->WindowSize[1];
-  if (pixels * 28.0 > vtkSpherePackingHalfOfMemory())
+  if (pixels * this->BytesPerPixel() > vtkSpherePackingHalfOfMemory())
   {
     throw std::invalid_argument("window_size: found " + Two(this->WindowSize) +
       ", which is more than fits in half of the memory, expected fewer pixels");

@@ -32,7 +32,7 @@
  * An error leaves an empty output, is reported through vtkErrorMacro and sets GetErrorCode().
  * GetErrorMessage() is the sentence.
  *
- * @sa vtkSpherePackingBVH, vtkSpherePackingGrid
+ * @sa vtkSpherePackingPathTracer, vtkSpherePackingBVH, vtkSpherePackingGrid
  */
 #ifndef vtkSpherePackingTracer_h
 #define vtkSpherePackingTracer_h
@@ -177,19 +177,38 @@ protected:
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
+  /**
+   * Throws a std::invalid_argument that names the first setting that makes no picture.
+   */
+  virtual void Check() const;
+
+  /**
+   * Bytes of the output's arrays.
+   */
+  virtual double BytesPerPixel() const { return 28.0; }
+
+  /**
+   * Makes the picture, when all that it takes is there and has been checked.
+   */
+  virtual void Trace(vtkImageData* output);
+
+  /**
+   * Throws a std::invalid_argument for a camera that sees nothing.
+   */
+  void SetRays(vtkSpherePackingCameraRays& camera);
+
+  std::unique_ptr<vtkSpherePackingTracerInternals> Internals;
+
 private:
   vtkSpherePackingTracer(const vtkSpherePackingTracer&) = delete;
   void operator=(const vtkSpherePackingTracer&) = delete;
   int Fail(const std::string& message);
-  void Check() const;
   bool IsPrepared(vtkPolyData* packing) const;
   void Prepare(vtkPolyData* packing);
   void BuildStructure(vtkPolyData* packing, vtkDataArray* radii);
   void FindColors(vtkPolyData* packing);
   void MapColors(
     vtkPolyData* packing, vtkAbstractArray* scalars, std::vector<unsigned char>& colors) const;
-  void SetRays(vtkSpherePackingCameraRays& camera);
-  void Trace(vtkImageData* output);
   vtkIdType Cast(const spherepacking::Ray& ray, double& t, double normal[3]);
 
   vtkSmartPointer<vtkCamera> Camera;
@@ -204,7 +223,6 @@ private:
   std::string RadiusArrayName = "radius";
   std::string ColorArrayName;
   std::string ErrorMessage;
-  std::unique_ptr<vtkSpherePackingTracerInternals> Internals;
 };
 
 #endif

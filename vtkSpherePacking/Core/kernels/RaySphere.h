@@ -116,6 +116,48 @@ inline void NormalAt(
   NormalAt<double>(f, sphere.R, ray.D, inverseSquare, normal);
 }
 
+/// Which surfaces a ray meets: all, those from inside as well.
+struct EverySurface
+{
+  static constexpr bool Behind = true; ///< whether centres behind the origin count
+  static constexpr bool Any = false;   ///< whether one hit is as good as another
+
+  double Hit(const Ray& ray, const Sphere& sphere, double inverseSquare, std::int64_t) const
+  {
+    return HitSphere(ray, sphere, inverseSquare);
+  }
+};
+
+/// Those that a ray meets from outside when it leaves the surface of a sphere.
+///
+/// It cannot meet that one again. Where its origin is inside of another one, by rounding where
+/// spheres touch or coincide, it leaves that one unseen: no light is lost in between.
+template <bool AnyT>
+struct OuterSurface
+{
+  static constexpr bool Behind = false;
+  static constexpr bool Any = AnyT;
+  std::int64_t Left; ///< id of the sphere
+
+  double Hit(const Ray& ray, const Sphere& sphere, double inverseSquare, std::int64_t id) const
+  {
+    const double f[3] = { sphere.X - ray.O[0], sphere.Y - ray.O[1], sphere.Z - ray.O[2] };
+    const double middle = (f[0] * ray.D[0] + f[1] * ray.D[1] + f[2] * ray.D[2]) * inverseSquare;
+    double square = 0.0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double l = f[axis] - middle * ray.D[axis];
+      square += l * l;
+    }
+    const double discriminant = sphere.R * sphere.R - square;
+    if (!(middle > 0.0 && discriminant > 0.0) || id == this->Left)
+    {
+      return NoHit;
+    }
+    const double near = middle - std::sqrt(discriminant * inverseSquare);
+    return near > 0.0 ? near : NoHit;
+  }
+};
 }
 
 /// A sphere in the packing and where a structure holds it; ordered by the former.
@@ -138,13 +180,15 @@ struct Hit
 {
   double T = std::numeric_limits<double>::max();
   std::int64_t Id = -1; ///< of the sphere in the packing; -1 for none
+  Sphere On = {};       ///< that sphere, if any
 
-  void Offer(double t, std::int64_t id)
+  void Offer(double t, std::int64_t id, const Sphere& sphere)
   {
     if (t < this->T || (t == this->T && id < this->Id))
     {
       this->T = t;
       this->Id = id;
+      this->On = sphere;
     }
   }
 };

@@ -10,13 +10,15 @@ namespace spherepacking
 {
 inline namespace SPHEREPACKING_ISA
 {
-inline Hit FirstHit(const SphereArrays& spheres, const Ray& ray)
+template <typename SurfaceT>
+inline Hit FirstHit(const SphereArrays& spheres, const Ray& ray, const SurfaceT& surface)
 {
   const double inverseSquare = InverseSquare(ray);
   Hit hit;
   for (std::int64_t i = 0; i < spheres.Count; ++i)
   {
-    hit.Offer(HitSphere(ray, spheres[i], inverseSquare), i);
+    const Sphere sphere = spheres[i];
+    hit.Offer(surface.Hit(ray, sphere, inverseSquare, i), i, sphere);
   }
   return hit;
 }

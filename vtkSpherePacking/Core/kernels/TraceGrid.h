@@ -93,7 +93,9 @@ private:
   std::int64_t At[3];
 };
 
-inline Hit FirstHit(const GridTable& table, const SphereArrays& spheres, const Ray& ray)
+template <typename SurfaceT>
+inline Hit FirstHit(
+  const GridTable& table, const SphereArrays& spheres, const Ray& ray, const SurfaceT& surface)
 {
   const double inverseSquare = InverseSquare(ray);
   Hit hit;
@@ -103,9 +105,10 @@ inline Hit FirstHit(const GridTable& table, const SphereArrays& spheres, const R
     for (std::int64_t i = table.Starts[cell]; i < table.Starts[cell + 1]; ++i)
     {
       const std::int32_t id = table.Ids[i];
-      hit.Offer(HitSphere(ray, spheres[id], inverseSquare), id);
+      const Sphere sphere = spheres[id];
+      hit.Offer(surface.Hit(ray, sphere, inverseSquare, id), id, sphere);
     }
-    if (hit.T <= walk.Leave())
+    if (hit.T <= walk.Leave() || (SurfaceT::Any && hit.Id >= 0))
     {
       break;
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "kernels/TraceTileKernel.h"
+#include "kernels/PathTileKernel.h"
 
 #if defined(SPHEREPACKING_HAS_AVX2)
 #include "kernels/TraceTileAvx2.h"
@@ -39,6 +39,20 @@ void TraceTile(const Scene& scene, const CameraRays& rays, const Vector& toEye, 
 }
 
 //------------------------------------------------------------------------------
+void TracePaths(const Scene& scene, const CameraRays& rays, const PathLight& light,
+  unsigned samples, const PathCells& cells, const Tile& tile, const PathPicture& picture)
+{
+#if defined(SPHEREPACKING_HAS_AVX2)
+  if (HasAvx2())
+  {
+    TracePathsAvx2(scene, rays, light, samples, cells, tile, picture);
+    return;
+  }
+#endif
+  TracePathsKernel(scene, rays, light, samples, cells, tile, picture);
+}
+
+//------------------------------------------------------------------------------
 Hit FirstHit(const Scene& scene, const Ray& ray)
 {
 #if defined(SPHEREPACKING_HAS_AVX2)
@@ -47,6 +61,6 @@ Hit FirstHit(const Scene& scene, const Ray& ray)
     return FirstHitAvx2(scene, ray);
   }
 #endif
-  return FirstHitKernel(scene, ray);
+  return FirstHitKernel(scene, ray, EverySurface());
 }
 }

@@ -2,13 +2,15 @@
 #ifndef TraceTileAvx2_h
 #define TraceTileAvx2_h
 
-#include "kernels/TraceTile.h"
+#include "kernels/PathTile.h"
 
 namespace spherepacking
 {
-// For processors with AVX2; the results are those of TraceTile() and FirstHit() to the last bit.
+// For processors with AVX2; the results are those without to the last bit.
 void TraceTileAvx2(const Scene& scene, const CameraRays& rays, const Vector& toEye, int samples,
   const Tile& tile, const Picture& picture);
+void TracePathsAvx2(const Scene& scene, const CameraRays& rays, const PathLight& light,
+  unsigned samples, const PathCells& cells, const Tile& tile, const PathPicture& picture);
 Hit FirstHitAvx2(const Scene& scene, const Ray& ray);
 }
 

@@ -17,7 +17,7 @@ inline void TraceBlock(const GridTable& table, const SphereArrays& spheres, RayB
 {
   for (int i = 0; i < RayBlock::Count; ++i)
   {
-    const Hit hit = FirstHit(table, spheres, block.RayAt(i));
+    const Hit hit = FirstHit(table, spheres, block.RayAt(i), EverySurface());
     block.T[i] = hit.T;
     block.Key[i] = MakeKey(hit.Id, 0);
   }
@@ -75,6 +75,20 @@ struct BlockSurface
   }
 };
 
+/// Calls `work` with each block of a tile; those at the right and at the top may be smaller.
+template <typename Work>
+inline void ForEachBlock(const Tile& tile, const Work& work)
+{
+  for (int y = tile.Y; y < tile.Y + tile.Height; y += RayBlock::Side)
+  {
+    for (int x = tile.X; x < tile.X + tile.Width; x += RayBlock::Side)
+    {
+      work(Tile{ x, y, std::min(RayBlock::Side, tile.X + tile.Width - x),
+        std::min(RayBlock::Side, tile.Y + tile.Height - y) });
+    }
+  }
+}
+
 /// Traces the blocks of a tile.
 template <typename TraceBlockT>
 class TileTracer
@@ -93,17 +107,12 @@ public:
 
   void Run(const Tile& tile)
   {
-    for (int y = tile.Y; y < tile.Y + tile.Height; y += RayBlock::Side)
-    {
-      for (int x = tile.X; x < tile.X + tile.Width; x += RayBlock::Side)
+    ForEachBlock(tile,
+      [this](const Tile& block)
       {
-        this->X = x;
-        this->Y = y;
-        this->Width = std::min(RayBlock::Side, tile.X + tile.Width - x);
-        this->Height = std::min(RayBlock::Side, tile.Y + tile.Height - y);
+        this->Part = block;
         this->RunBlock();
-      }
-    }
+      });
   }
 
 private:
@@ -133,7 +142,7 @@ private:
   // One ray a pixel, at the same place in each.
   void TraceThrough(double x, double y)
   {
-    this->Block.Start(this->Rays, this->X + x, this->Y + y);
+    this->Block.Start(this->Rays, this->Part.X + x, this->Part.Y + y);
     this->Trace(this->Block);
     this->Surface.Find(this->Block, this->In, this->ToEye);
   }
@@ -141,11 +150,11 @@ private:
   template <typename Work>
   void ForEachPixel(const Work& work)
   {
-    for (int row = 0; row < this->Height; ++row)
+    for (int row = 0; row < this->Part.Height; ++row)
     {
       const std::int64_t first =
-        static_cast<std::int64_t>(this->Y + row) * this->Out.Width + this->X;
-      for (int column = 0; column < this->Width; ++column)
+        static_cast<std::int64_t>(this->Part.Y + row) * this->Out.Width + this->Part.X;
+      for (int column = 0; column < this->Part.Width; ++column)
       {
         work(row * RayBlock::Side + column, first + column);
       }
@@ -210,45 +219,46 @@ private:
   RayBlock Block;
   BlockSurface Surface;
   int Sums[RayBlock::Count][4];
-  int X;
-  int Y;
-  int Width;
-  int Height;
+  Tile Part;
 };
 
-template <typename TraceBlockT>
-inline void TraceTileThrough(const Scene& scene, const CameraRays& rays, const Vector& toEye,
-  int samples, const Tile& tile, const Picture& picture, const TraceBlockT& trace)
+/// Calls `work` with what traces a block through the structure of the scene.
+template <typename Work>
+inline void WithBlockTracer(const Scene& scene, const CameraRays& rays, const Work& work)
 {
-  TileTracer<TraceBlockT>(scene, rays, toEye, samples, picture, trace).Run(tile);
+  if (scene.Hierarchy)
+  {
+    const Screen screen(rays);
+    work(
+      [&](RayBlock& block) { TraceBlock(*scene.Hierarchy, scene.Spheres, rays, screen, block); });
+  }
+  else if (scene.Table)
+  {
+    work([&](RayBlock& block) { TraceBlock(*scene.Table, scene.Spheres, block); });
+  }
+  else
+  {
+    work([&](RayBlock& block) { TraceBlock(scene.Spheres, block); });
+  }
 }
 
 inline void TraceTileKernel(const Scene& scene, const CameraRays& rays, const Vector& toEye,
   int samples, const Tile& tile, const Picture& picture)
 {
-  if (scene.Hierarchy)
-  {
-    const Screen screen(rays);
-    TraceTileThrough(scene, rays, toEye, samples, tile, picture,
-      [&](RayBlock& block) { TraceBlock(*scene.Hierarchy, scene.Spheres, rays, screen, block); });
-  }
-  else if (scene.Table)
-  {
-    TraceTileThrough(scene, rays, toEye, samples, tile, picture,
-      [&](RayBlock& block) { TraceBlock(*scene.Table, scene.Spheres, block); });
-  }
-  else
-  {
-    TraceTileThrough(scene, rays, toEye, samples, tile, picture,
-      [&](RayBlock& block) { TraceBlock(scene.Spheres, block); });
-  }
+  WithBlockTracer(scene, rays,
+    [&](const auto& trace)
+    {
+      TileTracer<std::decay_t<decltype(trace)>>(scene, rays, toEye, samples, picture, trace)
+        .Run(tile);
+    });
 }
 
-inline Hit FirstHitKernel(const Scene& scene, const Ray& ray)
+template <typename SurfaceT>
+inline Hit FirstHitKernel(const Scene& scene, const Ray& ray, const SurfaceT& surface)
 {
-  return scene.Hierarchy ? FirstHit(*scene.Hierarchy, scene.Spheres, ray)
-    : scene.Table        ? FirstHit(*scene.Table, scene.Spheres, ray)
-                         : FirstHit(scene.Spheres, ray);
+  return scene.Hierarchy ? FirstHit(*scene.Hierarchy, scene.Spheres, ray, surface)
+    : scene.Table        ? FirstHit(*scene.Table, scene.Spheres, ray, surface)
+                         : FirstHit(scene.Spheres, ray, surface);
 }
 }
 }

@@ -1,0 +1,66 @@
+"""How the accessor ``packing`` follows paths of light: arguments of the C++ path tracer."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from . import _arguments as arguments
+from ._raycast import Caster
+from ._sky import set_sky, set_sun, sky_of, sun_of
+
+if TYPE_CHECKING:
+    from ._sky import Sun
+
+
+class PathTracer(Caster):
+    """A path tracer that keeps its picture as well, for more samples."""
+
+    tracer_class = "vtkSpherePackingPathTracer"
+    label = "tracing paths"
+    plain = True
+
+    def set_paths(
+        self,
+        *,
+        samples: int,
+        max_bounces: int,
+        albedo: float,
+        sky: object,
+        sun: Sun | None,
+        seed: int,
+        time_budget: float | None,
+        noise_target: float | None,
+        min_samples: int,
+        exposure: float,
+        filmic: bool,
+        sky_visible: bool,
+    ) -> None:
+        """Check the arguments and hand them to the tracer that was prepared."""
+        samples = arguments.count_of("samples", samples)
+        max_bounces = arguments.count_of("max_bounces", max_bounces, least=0)
+        albedo = arguments.number_of("albedo", albedo, 0.0, 1.0)
+        sky, sun = sky_of(sky), sun_of(sun)
+        seed = arguments.count_of("seed", seed, least=0, most=2**32 - 1)
+        limits = {"time_budget": time_budget, "noise_target": noise_target}
+        for name, value in limits.items():
+            if value is not None:
+                limits[name] = arguments.number_of(name, value, np.finfo(float).tiny, np.inf)
+        min_samples = arguments.count_of("min_samples", min_samples, least=2)
+        exposure = arguments.number_of("exposure", exposure, -100.0, 100.0)
+        filmic = arguments.flag_of("filmic", filmic)
+        sky_visible = arguments.flag_of("sky_visible", sky_visible)
+        tracer = self._tracer
+        tracer.SetNumberOfSamples(samples)
+        tracer.SetMaximumNumberOfBounces(max_bounces)
+        tracer.SetAlbedo(albedo)
+        set_sky(tracer, sky)
+        set_sun(tracer, sun)
+        tracer.SetSeed(seed)
+        tracer.SetTimeBudget(min(limits["time_budget"] or 0.0, 1e300))
+        tracer.SetNoiseTarget(min(limits["noise_target"] or 0.0, 1e300))
+        tracer.SetMinimumNumberOfSamples(min_samples)
+        tracer.SetExposure(exposure)
+        tracer.SetFilmic(filmic)
+        tracer.SetSkyVisible(sky_visible)

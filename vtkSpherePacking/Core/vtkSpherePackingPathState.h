@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a vtkSpherePackingPathTracer has traced so far. Private to the module.
+#ifndef vtkSpherePackingPathState_h
+#define vtkSpherePackingPathState_h
+
+#include "kernels/PathTile.h"
+
+#include "vtkABINamespace.h"
+#include "vtkSmartPointer.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkImageData;
+
+struct vtkSpherePackingPathState
+{
+  // What the picture depends on, other than the number of samples.
+  std::string Key;
+  spherepacking::PathPicture Picture{};
+  unsigned char* Color = nullptr; // RGBA, made from the others
+
+  // The most samples that a pixel has.
+  unsigned Most = 0;
+
+  // Starts anew unless the key is the same, no pixel has more samples than are wanted, and the
+  // arrays are there.
+  void Begin(const std::string& key, const int (&size)[2], unsigned samples);
+
+  // Gives the arrays to an output. They stay the state's as well; whoever still holds them when the
+  // next run begins keeps them, and the state goes on with copies.
+  void Share(vtkImageData* output) const;
+
+  // Samples that all pixels have together.
+  double CountSamples() const;
+
+private:
+  void Point();
+
+  vtkSmartPointer<vtkImageData> Arrays;
+};
+
+// Which cells of a picture need more samples.
+class vtkSpherePackingPathCells
+{
+public:
+  explicit vtkSpherePackingPathCells(const spherepacking::PathPicture& picture);
+
+  // Leaves out the cells whose pixels all have this number of samples and whose relative error is
+  // no more than `target`.
+  void LeaveOut(unsigned samples, double target);
+
+  bool Any() const;
+  spherepacking::PathCells Get() const { return { this->Active.data(), this->Columns }; }
+
+private:
+  bool IsDone(int column, int row, unsigned samples, double target) const;
+
+  const spherepacking::PathPicture& Picture;
+  int Columns;
+  int Rows;
+  std::vector<unsigned char> Active;
+};
+VTK_ABI_NAMESPACE_END
+
+#endif

@@ -1,0 +1,332 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSpherePackingPathTracer.h"
+
+#include "vtkSpherePackingCameraRays.h"
+#include "vtkSpherePackingFields.h"
+#include "vtkSpherePackingPathState.h"
+#include "vtkSpherePackingPicture.h"
+#include "vtkSpherePackingTiles.h"
+#include "vtkSpherePackingTracerInternals.h"
+
+#include "kernels/Develop.h"
+
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkMath.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkSMPTools.h"
+
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+
+vtkStandardNewMacro(vtkSpherePackingPathTracer);
+
+namespace
+{
+using Clock = std::chrono::steady_clock;
+using Seconds = std::chrono::duration<double>;
+using spherepacking::PathLight;
+
+// Passes of more samples would be long to wait for.
+constexpr unsigned LongestPass = 8;
+
+unsigned NextPass(unsigned samples)
+{
+  return samples < LongestPass ? std::max(1u, 2 * samples)
+                               : samples / LongestPass * LongestPass + LongestPass;
+}
+
+template <typename Value>
+[[noreturn]] void Refuse(const char* name, Value found, const char* expected)
+{
+  std::ostringstream message;
+  message << name << ": found " << found << ", expected " << expected;
+  throw std::invalid_argument(message.str());
+}
+
+void CheckRange(const char* name, double value, double low, double high, const char* expected)
+{
+  if (!(low <= value && value <= high))
+  {
+    Refuse(name, value, expected);
+  }
+}
+
+void CheckColor(const char* name, const double (&color)[3])
+{
+  for (const double channel : color)
+  {
+    CheckRange(name, channel, 0.0, std::numeric_limits<float>::max(),
+      "three finite numbers that are not negative");
+  }
+}
+
+std::vector<float> PixelsOf(vtkImageData* image)
+{
+  vtkDataArray* scalars = image->GetPointData()->GetScalars();
+  if (!scalars || scalars->GetNumberOfComponents() != 3 || image->GetDimensions()[2] != 1)
+  {
+    throw std::invalid_argument(
+      "sky: found an image without scalars of three components, expected red, green and blue");
+  }
+  const int width = image->GetDimensions()[0];
+  const int height = image->GetDimensions()[1];
+  std::vector<float> pixels(3 * static_cast<std::size_t>(width) * height);
+  float* to = pixels.data();
+  for (int row = height - 1; row >= 0; --row)
+  {
+    for (int column = 0; column < width; ++column)
+    {
+      for (int channel = 0; channel < 3; ++channel)
+      {
+        const double value =
+          scalars->GetComponent(static_cast<vtkIdType>(row) * width + column, channel);
+        CheckRange("sky", value, 0.0, std::numeric_limits<float>::max(),
+          "an image of finite numbers that are not negative");
+        *to++ = static_cast<float>(value);
+      }
+    }
+  }
+  return pixels;
+}
+
+void PrintVector(std::ostream& os, const double (&vector)[3])
+{
+  os << vector[0] << " " << vector[1] << " " << vector[2] << "\n";
+}
+}
+
+//------------------------------------------------------------------------------
+vtkSpherePackingPathTracer::vtkSpherePackingPathTracer()
+  : State(new vtkSpherePackingPathState)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkSpherePackingPathTracer::~vtkSpherePackingPathTracer() = default;
+
+//------------------------------------------------------------------------------
+void vtkSpherePackingPathTracer::SetSkyImage(vtkImageData* image)
+{
+  if (this->SkyImage != image)
+  {
+    this->SkyImage = image;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkImageData* vtkSpherePackingPathTracer::GetSkyImage()
+{
+  return this->SkyImage;
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkSpherePackingPathTracer::GetMTime()
+{
+  const vtkMTimeType time = this->Superclass::GetMTime();
+  return this->SkyImage ? std::max(time, this->SkyImage->GetMTime()) : time;
+}
+
+//------------------------------------------------------------------------------
+void vtkSpherePackingPathTracer::Check() const
+{
+  this->Superclass::Check();
+  if (this->NumberOfSamples < 1)
+  {
+    Refuse("samples", this->NumberOfSamples, "1 or more");
+  }
+  if (this->MaximumNumberOfBounces < 0)
+  {
+    Refuse("max_bounces", this->MaximumNumberOfBounces, "0 or more");
+  }
+  if (this->MinimumNumberOfSamples < 2)
+  {
+    Refuse("min_samples", this->MinimumNumberOfSamples, "2 or more");
+  }
+  CheckRange("albedo", this->Albedo, 0.0, 1.0, "a number from 0 to 1");
+  CheckColor("sky", this->SkyTop);
+  CheckColor("sky", this->SkyBottom);
+  CheckColor("sun", this->SunRadiance);
+  CheckRange("sun", this->SunDiameter, 0.0, 180.0, "a diameter from 0 to 180 degrees");
+  const double length = vtkMath::Norm(this->SunDirection);
+  if (!(length > 0.0 && std::isfinite(length)))
+  {
+    Refuse("sun", length, "a direction of finite length above 0");
+  }
+  CheckRange("time_budget", this->TimeBudget, 0.0, VTK_DOUBLE_MAX, "0 or more seconds");
+  CheckRange("noise_target", this->NoiseTarget, 0.0, VTK_DOUBLE_MAX, "0 or more");
+  CheckRange("exposure", this->Exposure, -100.0, 100.0, "a number from -100 to 100");
+}
+
+//------------------------------------------------------------------------------
+void vtkSpherePackingPathTracer::SetLight(PathLight& light) const
+{
+  light.Albedo = static_cast<float>(this->Albedo);
+  light.MaxBounces = this->MaximumNumberOfBounces;
+  light.Seed = this->Seed;
+  const double length = vtkMath::Norm(this->SunDirection);
+  for (int i = 0; i < 3; ++i)
+  {
+    light.From.Top[i] = static_cast<float>(this->SkyTop[i]);
+    light.From.Bottom[i] = static_cast<float>(this->SkyBottom[i]);
+    light.Shining.Direction[i] = this->SunDirection[i] / length;
+    light.Shining.Radiance[i] = static_cast<float>(this->SunRadiance[i]);
+  }
+  // 1 - cos(a) = 2 sin(a / 2)^2, and a is half of the diameter.
+  const double sine = std::sin(0.25 * vtkMath::RadiansFromDegrees(this->SunDiameter));
+  light.Shining.Outside = 2.0 * sine * sine;
+  if (this->SkyImage)
+  {
+    const int* size = this->SkyImage->GetDimensions();
+    light.From.SetImage(PixelsOf(this->SkyImage), size[0], size[1]);
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string vtkSpherePackingPathTracer::KeyOf(const vtkSpherePackingCameraRays& camera)
+{
+  const vtkSpherePackingTracerInternals& kept = *this->Internals;
+  const spherepacking::CameraRays& rays = camera.Rays;
+  std::ostringstream key;
+  key << std::hexfloat << kept.Points << ' ' << kept.Radii << ' ' << kept.Time << ' '
+      << kept.ColorState << ' ' << rays.Parallel;
+  const double* const vectors[] = { rays.O0, rays.OX, rays.OY, rays.D0, rays.DX, rays.DY,
+    this->SkyTop, this->SkyBottom, this->SunDirection, this->SunRadiance };
+  for (const double* vector : vectors)
+  {
+    key << ' ' << vector[0] << ' ' << vector[1] << ' ' << vector[2];
+  }
+  key << ' ' << this->SunDiameter << ' ' << this->Albedo << ' ' << this->MaximumNumberOfBounces
+      << ' ' << this->Seed << ' ' << this->SkyImage << ' '
+      << (this->SkyImage ? this->SkyImage->GetMTime() : 0);
+  for (int i = 0; i < 2; ++i)
+  {
+    key << ' ' << this->GetWindowSize()[i];
+  }
+  return key.str();
+}
+
+//------------------------------------------------------------------------------
+void vtkSpherePackingPathTracer::Trace(vtkImageData* output)
+{
+  vtkSpherePackingCameraRays camera;
+  this->SetRays(camera);
+  PathLight light;
+  this->SetLight(light);
+  vtkSpherePackingPathState& state = *this->State;
+  const int size[2] = { this->GetWindowSize()[0], this->GetWindowSize()[1] };
+  const auto wanted = static_cast<unsigned>(this->NumberOfSamples);
+  state.Begin(this->KeyOf(camera), size, wanted);
+
+  const spherepacking::Scene scene = this->Internals->Scene();
+  const Clock::time_point start = Clock::now();
+  const double before = state.CountSamples();
+  vtkSpherePackingPathCells cells(state.Picture);
+  const int tileSize[2] = { this->GetTileSize()[0], this->GetTileSize()[1] };
+  vtkSpherePackingTiles tiles(size, tileSize);
+  std::vector<double> seconds(tiles.Tiles.size(), 0.0);
+  bool stop = false;
+  for (unsigned samples = 0; samples < wanted && !stop && cells.Any();)
+  {
+    const unsigned pass = std::min(wanted, NextPass(samples));
+    tiles.Run(
+      [&](const spherepacking::Tile& tile)
+      {
+        spherepacking::TracePaths(
+          scene, camera.Rays, light, pass, cells.Get(), tile, state.Picture);
+      },
+      [&](double share)
+      {
+        this->UpdateProgress((samples + share * (pass - samples)) / wanted);
+        stop = stop || this->CheckAbort();
+        const bool late = this->TimeBudget > 0.0 && samples > 0 &&
+          Seconds(Clock::now() - start).count() > this->TimeBudget;
+        stop = stop || late;
+        return stop;
+      });
+    for (std::size_t i = 0; i < seconds.size(); ++i)
+    {
+      seconds[i] += tiles.ComputeSeconds[i];
+    }
+    samples = pass;
+    state.Most = std::max(state.Most, samples);
+    if (this->NoiseTarget > 0.0 && samples >= static_cast<unsigned>(this->MinimumNumberOfSamples))
+    {
+      cells.LeaveOut(samples, this->NoiseTarget);
+    }
+  }
+  // The executive would throw away what is done.
+  this->SetAbortOutput(false);
+  this->Develop(camera, light);
+  state.Share(output);
+  vtkSpherePackingAddExtents(output, tiles.Tiles);
+  vtkSpherePackingAddField(output, "compute_seconds", seconds);
+  vtkSpherePackingAddField(output, "complete_seconds", { Seconds(Clock::now() - start).count() });
+  vtkSpherePackingAddField(output, "build_seconds", { this->Internals->BuildSeconds });
+  vtkSpherePackingAddField(output, "memory_bytes", { this->Internals->Bytes() });
+  vtkSpherePackingAddField(output, "traced_samples", { state.CountSamples() - before });
+}
+
+//------------------------------------------------------------------------------
+void vtkSpherePackingPathTracer::Develop(
+  const vtkSpherePackingCameraRays& camera, const PathLight& light)
+{
+  const spherepacking::PathPicture& picture = this->State->Picture;
+  unsigned char* colors = this->State->Color;
+  const spherepacking::Developer developer(this->Exposure, this->Filmic);
+  vtkSMPTools::For(0, picture.Height,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin * picture.Width; i < end * picture.Width; ++i)
+      {
+        const float* radiance = picture.Radiance + 3 * i;
+        const double coverage = picture.Coverage[i];
+        float sky[3] = { 0.0f, 0.0f, 0.0f };
+        if (!this->SkyVisible && coverage < 1.0)
+        {
+          spherepacking::Ray ray = camera.Rays.At(static_cast<double>(i % picture.Width) + 0.5,
+            static_cast<double>(i / picture.Width) + 0.5);
+          vtkMath::Normalize(ray.D);
+          light.From.Radiance(ray.D, sky);
+        }
+        const bool shown = picture.Samples[i] > 0 && (this->SkyVisible || coverage > 0.0);
+        for (int channel = 0; channel < 3; ++channel)
+        {
+          // Without the sky, that of the samples that hit a sphere.
+          const double own = this->SkyVisible
+            ? radiance[channel]
+            : (radiance[channel] - (1.0 - coverage) * sky[channel]) / coverage;
+          colors[4 * i + channel] = shown ? developer.Byte(own) : 0;
+        }
+        const double opacity = this->SkyVisible ? 1.0 : coverage;
+        colors[4 * i + 3] = shown ? static_cast<unsigned char>(255.0 * opacity + 0.5) : 0;
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+void vtkSpherePackingPathTracer::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "NumberOfSamples: " << this->NumberOfSamples << "\n";
+  os << indent << "MinimumNumberOfSamples: " << this->MinimumNumberOfSamples << "\n";
+  os << indent << "MaximumNumberOfBounces: " << this->MaximumNumberOfBounces << "\n";
+  os << indent << "Albedo: " << this->Albedo << "\n";
+  os << indent << "Seed: " << this->Seed << "\n";
+  PrintVector(os << indent << "SkyTop: ", this->SkyTop);
+  PrintVector(os << indent << "SkyBottom: ", this->SkyBottom);
+  os << indent << "SkyImage: " << this->SkyImage.Get() << "\n";
+  PrintVector(os << indent << "SunDirection: ", this->SunDirection);
+  PrintVector(os << indent << "SunRadiance: ", this->SunRadiance);
+  os << indent << "SunDiameter: " << this->SunDiameter << "\n";
+  os << indent << "TimeBudget: " << this->TimeBudget << "\n";
+  os << indent << "NoiseTarget: " << this->NoiseTarget << "\n";
+  os << indent << "Exposure: " << this->Exposure << "\n";
+  os << indent << "Filmic: " << (this->Filmic ? "On" : "Off") << "\n";
+  os << indent << "SkyVisible: " << (this->SkyVisible ? "On" : "Off") << "\n";
+}
