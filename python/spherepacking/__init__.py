@@ -19,6 +19,7 @@ __all__ = [
     "read_image",
     "write",
     "write_image",
+    "write_render",
 ]
 
 # Nothing is imported before it is used: the command line answers at once, and importing this
@@ -32,6 +33,7 @@ _HOMES = {
     "read_image": ".image",
     "write": ".writers",
     "write_image": ".image",
+    "write_render": "._layers",
 }
 
 

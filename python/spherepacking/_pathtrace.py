@@ -5,12 +5,16 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import numpy as np
+import pyvista as pv
 
 from . import _arguments as arguments
+from ._denoise import check_denoiser, denoised
 from ._raycast import Caster
 from ._sky import set_sky, set_sun, sky_of, sun_of
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from ._sky import Sun
 
 
@@ -64,3 +68,35 @@ class PathTracer(Caster):
         tracer.SetExposure(exposure)
         tracer.SetFilmic(filmic)
         tracer.SetSkyVisible(sky_visible)
+
+    def trace(
+        self,
+        packing: pv.PolyData,
+        tile: Sequence[int] | int | None,
+        look: dict[str, object],
+        denoise: bool,
+        progress: bool,
+    ) -> pv.ImageData:
+        """Make the picture and note what made it."""
+        if denoise:
+            check_denoiser()
+        image = self.cast(packing, tile, look, progress)
+        tracer = self._tracer
+        camera = tracer.GetCamera()
+        fields = image.field_data
+        fields["camera"] = np.array(
+            [camera.GetPosition(), camera.GetFocalPoint(), camera.GetViewUp()]
+        )
+        parallel = camera.GetParallelProjection()
+        fields["parallel_scale"] = [camera.GetParallelScale() if parallel else np.nan]
+        fields["view_angle"] = [np.nan if parallel else camera.GetViewAngle()]
+        fields["seed"] = [tracer.GetSeed()]
+        fields["max_bounces"] = [tracer.GetMaximumNumberOfBounces()]
+        fields["reflectance"] = [tracer.GetAlbedo()]
+        if denoise:
+            image.point_data["denoised"] = denoised(image)
+            colors = pv.convert_array(np.zeros((image.n_points, 4), np.uint8), name="color")
+            tracer.Develop(image.GetPointData().GetArray("denoised"), colors)
+            # Replaces the array in this picture alone.
+            image.GetPointData().AddArray(colors)
+        return image

@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pyvista as pv
 
+from ._layers import write_render
+from ._sky import Sun
 from .accessor import PackingAccessor
 from .image import write_image
 
@@ -73,10 +75,81 @@ def save_ray_cast(
         Arguments of ``packing.packing.ray_cast``.
     """
     image = PackingAccessor(packing).ray_cast(plotter.camera, progress=sys.stderr.isatty(), **words)
-    width, height = words["window_size"]
-    pixels = np.asarray(image["color"]).reshape(height, width, 4)[::-1]
-    if not transparent:
-        share = pixels[..., 3:] / 255.0
-        background = np.array(plotter.background_color.int_rgb)
-        pixels = np.round(share * pixels[..., :3] + (1.0 - share) * background).astype(np.uint8)
-    write_image(output, pixels)
+    pixels = _pixels_of(image)
+    write_image(output, pixels if transparent else _over(plotter, pixels))
+
+
+def save_path_trace(
+    plotter: pv.Plotter,
+    packing: pv.PolyData,
+    output: Path,
+    behind: str,
+    words: dict[str, object],
+) -> None:
+    """Trace paths from the plotter's camera and save the picture.
+
+    Parameters
+    ----------
+    plotter : pyvista.Plotter
+        Its camera is used, and its background.
+    packing : pyvista.PolyData
+        Centres (n, 3) and point array ``radius`` (n,).
+    output : pathlib.Path
+        Picture to write.
+    behind : {"sky", "background", "nothing"}
+        What is behind the spheres.
+    words : dict
+        Arguments of ``packing.packing.path_trace``.
+    """
+    image = PackingAccessor(packing).path_trace(
+        plotter.camera, progress=sys.stderr.isatty(), sky_visible=behind == "sky", **words
+    )
+    if behind == "background" and output.suffix.lower() != ".exr":
+        write_image(output, _over(plotter, _pixels_of(image)))
+    else:
+        write_render(output, image)
+
+
+def _pixels_of(image: pv.ImageData) -> np.ndarray:
+    """RGBA (height, width, 4), the upper row first."""
+    width, height, _ = image.dimensions
+    return np.asarray(image["color"]).reshape(height, width, 4)[::-1]
+
+
+def _over(plotter: pv.Plotter, pixels: np.ndarray) -> np.ndarray:
+    share = pixels[..., 3:] / 255.0
+    background = np.array(plotter.background_color.int_rgb)
+    return np.round(share * pixels[..., :3] + (1.0 - share) * background).astype(np.uint8)
+
+
+def light_of(
+    sky: list[str] | None,
+    sun: tuple[float, float, float] | None,
+    sun_radiance: float,
+    sun_diameter: float,
+) -> dict[str, object]:
+    """Sky and sun of the command line as arguments of ``packing.packing.path_trace``.
+
+    Parameters
+    ----------
+    sky : list of str, optional
+        One, two or three numbers, or the name of a file.
+    sun : (float, float, float), optional
+        Direction towards the sun.
+    sun_radiance, sun_diameter : float
+        As in :class:`spherepacking.Sun`.
+    """
+    words = {"sun": sun if sun is None else Sun(sun, sun_radiance, sun_diameter)}
+    if sky is None:
+        return words
+    try:
+        numbers = [float(word) for word in sky]
+    except ValueError:
+        if len(sky) > 1:
+            raise ValueError(
+                f"--sky: found {' '.join(sky)}, expected one, two or three numbers, or a file"
+            ) from None
+        return words | {"sky": sky[0]}
+    if len(numbers) > 3:
+        raise ValueError(f"--sky: found {len(numbers)} numbers, expected one, two or three")
+    return words | {"sky": numbers[0] if len(numbers) == 1 else numbers}

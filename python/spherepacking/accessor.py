@@ -237,6 +237,7 @@ class PackingAccessor(BoxesOfPacking):
         log_scale: bool = False,
         color: ColorLike | None = None,
         random_colors: bool = False,
+        denoise: bool = False,
         progress: bool = False,
     ) -> pv.ImageData:
         """Make a picture in the light of a sky and a sun, by following paths of light.
@@ -303,6 +304,9 @@ class PackingAccessor(BoxesOfPacking):
             One colour for all spheres.
         random_colors : bool, default: False
             One random colour a sphere.
+        denoise : bool, default: False
+            Estimate the picture without noise by Open Image Denoise (extra ``denoise``), as the
+            array ``denoised`` (float32, 3, linear), and take ``color`` from it.
         progress : bool, default: False
             Show a progress bar. Ctrl-C stops the work with or without.
 
@@ -315,11 +319,15 @@ class PackingAccessor(BoxesOfPacking):
             ``sphere_id`` (int64) of the pixel's middle as in :meth:`ray_cast`, ``coverage``
             (float32, share of the samples that hit a sphere), ``samples`` (uint32) and ``variance``
             (float32, of the radiance's brightness, not too small). Field arrays: as in
-            :meth:`ray_cast` without ``partial_seconds``, and ``traced_samples``, how many were
-            added over all pixels.
+            :meth:`ray_cast` without ``partial_seconds``, ``traced_samples``, how many were added
+            over all pixels, and what made the picture: ``camera`` (position, focal point,
+            view-up), ``view_angle`` or ``parallel_scale``, ``seed``, ``max_bounces`` and
+            ``reflectance``.
 
         Raises
         ------
+        ImportError
+            If `denoise` and Open Image Denoise is not there.
         FileNotFoundError, OSError
             If the image of the sky cannot be read.
         KeyError
@@ -365,7 +373,7 @@ class PackingAccessor(BoxesOfPacking):
                 filmic=filmic,
                 sky_visible=sky_visible,
             )
-            return self._path_tracer.cast(self._packing, tile, look, progress)
+            return self._path_tracer.trace(self._packing, tile, look, denoise, progress)
 
     def pick(
         self,

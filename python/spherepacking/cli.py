@@ -12,7 +12,7 @@ from typing import Annotated, Literal
 from cyclopts import App, CycloptsError, Parameter
 
 Vector = tuple[float, float, float]
-Technique = Literal["opengl", "raycast", "bvh", "grid"]
+Technique = Literal["opengl", "raycast", "pathtrace", "bvh", "grid"]
 Output = Annotated[Path, Parameter(alias="-o")]
 
 # In the middle at the bottom. With four labels, none of them is below the title and touches it.
@@ -92,6 +92,18 @@ def render(
     samples: int | None = None,
     boxes: int = 15,
     cuts: int = 6,
+    max_bounces: int = 4,
+    albedo: float = 0.8,
+    sky: Annotated[list[str] | None, Parameter(consume_multiple=True, negative=())] = None,
+    sun: Vector | None = None,
+    sun_radiance: float = 1.0,
+    sun_diameter: float = 0.53,
+    seed: int = 0,
+    time_budget: float | None = None,
+    noise_target: float | None = None,
+    exposure: float = 0.0,
+    filmic: bool = False,
+    denoise: bool = False,
 ) -> None:
     """Draw a packing and save the picture.
 
@@ -137,30 +149,59 @@ def render(
         Smooth edges, by drawing a larger picture and averaging it, or with opacity below 1 by a
         filter over the picture.
     technique
-        opengl draws as in a window; raycast casts rays on the processor, lit from the camera,
-        without a scalar bar; bvh and grid draw the boxes of these structures around the spheres.
+        opengl draws as in a window; raycast casts rays on the processor, lit from the camera, and
+        pathtrace follows paths of light to a sky and a sun, both without a scalar bar; bvh and grid
+        draw the boxes of these structures around the spheres.
     structure
-        How raycast finds spheres; it makes a difference to the time only.
+        How raycast and pathtrace find spheres; it makes a difference to the time only.
     samples
-        n for n x n rays a pixel with raycast; by default 2 with anti-aliasing, else 1.
+        n for n x n rays a pixel with raycast, by default 2 with anti-aliasing, else 1; or paths a
+        pixel with pathtrace, by default 16.
     boxes
         Number of boxes with bvh.
     cuts
         How often grid cuts each axis.
+    max_bounces
+        How many spheres a path may visit; 1 for direct light alone.
+    albedo
+        What part of the light a white sphere reflects.
+    sky
+        Radiance of the sky with pathtrace: a number; two for the bottom and the top; red, green and
+        blue; or an equirectangular image. It is seen behind the spheres, unless --background or
+        --transparent is given.
+    sun
+        Direction towards a sun with pathtrace.
+    sun_radiance
+        What it lends to a white surface that faces it.
+    sun_diameter
+        Its diameter in degrees.
+    seed
+        Seed of the random numbers with pathtrace.
+    time_budget
+        Seconds that pathtrace may take.
+    noise_target
+        Relative error at which a part of the picture gets no more samples with pathtrace.
+    exposure
+        Light counts 2 to this power times with pathtrace.
+    filmic
+        A filmic curve with pathtrace instead of cutting light off at white.
+    denoise
+        Take the noise out of what pathtrace made, by Open Image Denoise.
     """
     from ._offscreen import choose_window
 
     choose_window()
     _load(drawing=True)
 
-    from ._technique import add_boxes, save_ray_cast
+    from ._technique import add_boxes, light_of, save_path_trace, save_ray_cast
     from ._view import aim, check_extent, fit
     from .image import check_output
 
     check_output(output)
     _check_view(size, zoom, view_angle, anti_aliasing)
-    if technique == "raycast" and opacity != 1.0:
-        raise ValueError(f"--opacity: found {opacity}, expected 1 with --technique raycast")
+    cast = technique in ("raycast", "pathtrace")
+    if cast and opacity != 1.0:
+        raise ValueError(f"--opacity: found {opacity}, expected 1 with --technique {technique}")
 
     import pyvista as pv
 
@@ -175,7 +216,7 @@ def render(
             spheres,
             **look,
             opacity=opacity,
-            show_scalar_bar=scalar_bar and technique != "raycast",
+            show_scalar_bar=scalar_bar and not cast,
             scalar_bar_args=_BAR,
             specular=0.3,
             specular_power=20.0,
@@ -195,8 +236,28 @@ def render(
         plotter.camera.zoom(zoom)
         if technique == "raycast":
             samples = (2 if anti_aliasing else 1) if samples is None else samples
-            cast = {"window_size": size, "structure": structure, "samples": samples}
-            save_ray_cast(plotter, spheres, output, transparent, cast | look)
+            words = {"window_size": size, "structure": structure, "samples": samples}
+            save_ray_cast(plotter, spheres, output, transparent, words | look)
+            return
+        if technique == "pathtrace":
+            behind = "nothing" if transparent else "sky" if background is None else "background"
+            words = {
+                "window_size": size,
+                "structure": structure,
+                "samples": 16 if samples is None else samples,
+                "max_bounces": max_bounces,
+                "albedo": albedo,
+                "seed": seed,
+                "time_budget": time_budget,
+                "noise_target": noise_target,
+                "exposure": exposure,
+                "filmic": filmic,
+                "denoise": denoise,
+            }
+            if look["scalars"] is None and look["color"] is None:
+                look["scalars"] = spheres.point_data.active_scalars_name
+            light = light_of(sky, sun, sun_radiance, sun_diameter)
+            save_path_trace(plotter, spheres, output, behind, words | light | look)
             return
         plotter.renderer.ResetCameraClippingRange()
         plotter.packing.screenshot(output, transparent_background=transparent)

@@ -102,6 +102,19 @@ def write_image(path: str | os.PathLike[str], pixels: np.ndarray) -> None:
     _write_whole(path, _create(path), spec, pixels)
 
 
+def write_channels(
+    path: Path, pixels: np.ndarray, names: list[str], attributes: dict[str, str | float]
+) -> None:
+    """Write floats (height, width, channels) with the channels' names and attributes."""
+    height, width, channels = pixels.shape
+    spec = oiio.ImageSpec(width, height, channels, _FORMATS[pixels.dtype])
+    spec.channelnames = names
+    spec.z_channel = names.index("Z")
+    for name, value in attributes.items():
+        spec.attribute(name, value)
+    _write_whole(path, _create(path), spec, pixels)
+
+
 def _write_whole(
     path: Path, output: oiio.ImageOutput, spec: oiio.ImageSpec, pixels: np.ndarray
 ) -> None:

@@ -6,6 +6,7 @@
 #include "vtkDataArray.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
+#include "vtkMath.h"
 #include "vtkPointData.h"
 #include "vtkTypeInt64Array.h"
 #include "vtkUnsignedCharArray.h"
@@ -95,6 +96,16 @@ void vtkSpherePackingPathState::Share(vtkImageData* output) const
     output->GetPointData()->AddArray(data->GetArray(i));
   }
   output->GetPointData()->SetActiveScalars("color");
+}
+
+//------------------------------------------------------------------------------
+void vtkSpherePackingPathState::SeeSky(std::int64_t pixel, float (&radiance)[3]) const
+{
+  const int width = this->Picture.Width;
+  spherepacking::Ray ray = this->Rays.At(
+    static_cast<double>(pixel % width) + 0.5, static_cast<double>(pixel / width) + 0.5);
+  vtkMath::Normalize(ray.D);
+  this->From.Radiance(ray.D, radiance);
 }
 
 //------------------------------------------------------------------------------

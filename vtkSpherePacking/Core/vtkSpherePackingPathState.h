@@ -22,6 +22,10 @@ struct vtkSpherePackingPathState
   spherepacking::PathPicture Picture{};
   unsigned char* Color = nullptr; // RGBA, made from the others
 
+  // Where it was seen from, and the sky behind the spheres.
+  spherepacking::CameraRays Rays{};
+  spherepacking::Sky From;
+
   // The most samples that a pixel has.
   unsigned Most = 0;
 
@@ -32,6 +36,9 @@ struct vtkSpherePackingPathState
   // Gives the arrays to an output. They stay the state's as well; whoever still holds them when the
   // next run begins keeps them, and the state goes on with copies.
   void Share(vtkImageData* output) const;
+
+  // The sky behind the middle of a pixel.
+  void SeeSky(std::int64_t pixel, float (&radiance)[3]) const;
 
   // Samples that all pixels have together.
   double CountSamples() const;

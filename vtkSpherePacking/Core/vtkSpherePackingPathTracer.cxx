@@ -11,11 +11,13 @@
 #include "kernels/Develop.h"
 
 #include "vtkDataArray.h"
+#include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkSMPTools.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <chrono>
 #include <cmath>
@@ -31,13 +33,17 @@ using Clock = std::chrono::steady_clock;
 using Seconds = std::chrono::duration<double>;
 using spherepacking::PathLight;
 
-// Passes of more samples would be long to wait for.
-constexpr unsigned LongestPass = 8;
+// After how many samples a part of the picture may have enough.
+constexpr unsigned SamplesPerCheck = 8;
 
-unsigned NextPass(unsigned samples)
+// To how many samples all pixels are brought next: few at first, so that there is a picture soon,
+// of one sample if there is little time.
+unsigned NextPass(unsigned samples, bool hurry)
 {
-  return samples < LongestPass ? std::max(1u, 2 * samples)
-                               : samples / LongestPass * LongestPass + LongestPass;
+  constexpr unsigned half = SamplesPerCheck / 2;
+  return hurry && samples == 0 ? 1
+    : samples < half           ? half
+                               : samples / SamplesPerCheck * SamplesPerCheck + SamplesPerCheck;
 }
 
 template <typename Value>
@@ -233,7 +239,7 @@ void vtkSpherePackingPathTracer::Trace(vtkImageData* output)
   bool stop = false;
   for (unsigned samples = 0; samples < wanted && !stop && cells.Any();)
   {
-    const unsigned pass = std::min(wanted, NextPass(samples));
+    const unsigned pass = std::min(wanted, NextPass(samples, this->TimeBudget > 0.0));
     tiles.Run(
       [&](const spherepacking::Tile& tile)
       {
@@ -255,14 +261,17 @@ void vtkSpherePackingPathTracer::Trace(vtkImageData* output)
     }
     samples = pass;
     state.Most = std::max(state.Most, samples);
-    if (this->NoiseTarget > 0.0 && samples >= static_cast<unsigned>(this->MinimumNumberOfSamples))
+    if (this->NoiseTarget > 0.0 && samples % SamplesPerCheck == 0 &&
+      samples >= static_cast<unsigned>(this->MinimumNumberOfSamples))
     {
       cells.LeaveOut(samples, this->NoiseTarget);
     }
   }
   // The executive would throw away what is done.
   this->SetAbortOutput(false);
-  this->Develop(camera, light);
+  state.Rays = camera.Rays;
+  state.From = light.From;
+  this->Develop(state.Picture.Radiance, state.Color);
   state.Share(output);
   vtkSpherePackingAddExtents(output, tiles.Tiles);
   vtkSpherePackingAddField(output, "compute_seconds", seconds);
@@ -273,38 +282,48 @@ void vtkSpherePackingPathTracer::Trace(vtkImageData* output)
 }
 
 //------------------------------------------------------------------------------
-void vtkSpherePackingPathTracer::Develop(
-  const vtkSpherePackingCameraRays& camera, const PathLight& light)
+bool vtkSpherePackingPathTracer::Develop(vtkFloatArray* radiance, vtkUnsignedCharArray* color)
 {
-  const spherepacking::PathPicture& picture = this->State->Picture;
-  unsigned char* colors = this->State->Color;
+  const vtkIdType pixels =
+    static_cast<vtkIdType>(this->State->Picture.Width) * this->State->Picture.Height;
+  if (pixels == 0 || !radiance || !color || radiance->GetNumberOfComponents() != 3 ||
+    radiance->GetNumberOfTuples() != pixels)
+  {
+    return false;
+  }
+  color->SetNumberOfComponents(4);
+  color->SetNumberOfTuples(pixels);
+  this->Develop(radiance->GetPointer(0), color->GetPointer(0));
+  color->Modified();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkSpherePackingPathTracer::Develop(const float* radiance, unsigned char* color) const
+{
+  const vtkSpherePackingPathState& state = *this->State;
+  const spherepacking::PathPicture& picture = state.Picture;
   const spherepacking::Developer developer(this->Exposure, this->Filmic);
   vtkSMPTools::For(0, picture.Height,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType i = begin * picture.Width; i < end * picture.Width; ++i)
       {
-        const float* radiance = picture.Radiance + 3 * i;
-        const double coverage = picture.Coverage[i];
+        const double coverage = this->SkyVisible ? 1.0 : picture.Coverage[i];
         float sky[3] = { 0.0f, 0.0f, 0.0f };
-        if (!this->SkyVisible && coverage < 1.0)
+        if (coverage < 1.0)
         {
-          spherepacking::Ray ray = camera.Rays.At(static_cast<double>(i % picture.Width) + 0.5,
-            static_cast<double>(i / picture.Width) + 0.5);
-          vtkMath::Normalize(ray.D);
-          light.From.Radiance(ray.D, sky);
+          state.SeeSky(i, sky);
         }
-        const bool shown = picture.Samples[i] > 0 && (this->SkyVisible || coverage > 0.0);
+        const bool shown = picture.Samples[i] > 0 && coverage > 0.0;
         for (int channel = 0; channel < 3; ++channel)
         {
           // Without the sky, that of the samples that hit a sphere.
-          const double own = this->SkyVisible
-            ? radiance[channel]
-            : (radiance[channel] - (1.0 - coverage) * sky[channel]) / coverage;
-          colors[4 * i + channel] = shown ? developer.Byte(own) : 0;
+          const double own = (radiance[3 * i + channel] - (1.0 - coverage) * sky[channel]) /
+            (shown ? coverage : 1.0);
+          color[4 * i + channel] = shown ? developer.Byte(own) : 0;
         }
-        const double opacity = this->SkyVisible ? 1.0 : coverage;
-        colors[4 * i + 3] = shown ? static_cast<unsigned char>(255.0 * opacity + 0.5) : 0;
+        color[4 * i + 3] = shown ? static_cast<unsigned char>(255.0 * coverage + 0.5) : 0;
       }
     });
 }

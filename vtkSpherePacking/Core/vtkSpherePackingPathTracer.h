@@ -40,7 +40,9 @@
 
 #include <memory> // for std::unique_ptr
 
+class vtkFloatArray;
 class vtkImageData;
+class vtkUnsignedCharArray;
 struct vtkSpherePackingPathState;
 
 namespace spherepacking
@@ -134,7 +136,8 @@ public:
   vtkGetMacro(NoiseTarget, double);
 
   /**
-   * How many samples a pixel gets before its error is believed, from 2 on, default 16.
+   * How many samples a pixel gets before its error is believed, from 2 on, default 16. It is looked
+   * at after every eighth sample.
    */
   vtkSetMacro(MinimumNumberOfSamples, int);
   vtkGetMacro(MinimumNumberOfSamples, int);
@@ -161,6 +164,13 @@ public:
   vtkBooleanMacro(SkyVisible, bool);
 
   /**
+   * Writes what `color` would be if the last picture had another radiance, a denoised one for
+   * example: three components a pixel. Returns false and changes nothing if there is no picture or
+   * the array has not its size.
+   */
+  bool Develop(vtkFloatArray* radiance, vtkUnsignedCharArray* color);
+
+  /**
    * Also that of the sky's image.
    */
   vtkMTimeType GetMTime() override;
@@ -177,7 +187,7 @@ private:
   void operator=(const vtkSpherePackingPathTracer&) = delete;
   void SetLight(spherepacking::PathLight& light) const;
   std::string KeyOf(const vtkSpherePackingCameraRays& camera);
-  void Develop(const vtkSpherePackingCameraRays& camera, const spherepacking::PathLight& light);
+  void Develop(const float* radiance, unsigned char* color) const;
 
   vtkSmartPointer<vtkImageData> SkyImage;
   int NumberOfSamples = 16;

@@ -1,0 +1,45 @@
+"""Path-traced pictures without their noise, by Open Image Denoise (the extra ``denoise``)."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+if TYPE_CHECKING:
+    import pyvista as pv
+
+
+def check_denoiser() -> None:
+    """Raise an ImportError that says what to install unless the library is there."""
+    try:
+        import pyoidn  # noqa: F401
+    except (ImportError, OSError) as error:
+        raise ImportError(
+            f"denoise: Open Image Denoise cannot be loaded ({error}), expected the extra 'denoise':"
+            " pip install 'spherepacking[denoise]'"
+        ) from error
+
+
+def denoised(image: pv.ImageData) -> np.ndarray:
+    """Estimate what the radiance would be without noise.
+
+    Parameters
+    ----------
+    image : pyvista.ImageData
+        Picture of ``packing.packing.path_trace``.
+
+    Returns
+    -------
+    numpy.ndarray
+        (pixels, 3), float32, linear.
+    """
+    import pyoidn
+
+    width, height, _ = image.dimensions
+    # The library keeps what it was given until the next time: that shall not be VTK's arrays.
+    color, albedo, normal = (
+        np.array(image[name], np.float32, subok=False).reshape(height, width, 3)
+        for name in ("radiance", "albedo", "normal")
+    )
+    return pyoidn.denoise(color, albedo, normal, hdr=True).reshape(-1, 3)

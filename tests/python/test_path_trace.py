@@ -1,0 +1,223 @@
+"""``packing.path_trace`` and ``write_render``: arguments, skies, files, denoising."""
+
+import importlib.util
+import os
+import signal
+import sys
+import threading
+
+import numpy as np
+import OpenImageIO as oiio
+import pytest
+import pyvista as pv
+import spherepacking
+from spherepacking import Sun
+from spherepacking.accessor import PackingAccessor
+
+VIEW = [(3, 3, 3), (0, 0, 0), (0, 0, 1)]
+SIZE = (60, 40)
+
+
+@pytest.fixture
+def spheres():
+    return spherepacking.apollonian(3)
+
+
+def light(spheres, **words):
+    return np.array(PackingAccessor(spheres).path_trace(VIEW, SIZE, samples=4, **words)["radiance"])
+
+
+def test_defaults(spheres):
+    """White spheres of albedo 0.8 under a white sky, whatever scalars are active."""
+    image = spheres.packing.path_trace(VIEW, SIZE)
+    assert image.dimensions == (*SIZE, 1)
+    assert (image["samples"] == 16).all()
+    whole = image["coverage"] == 1
+    assert (image["albedo"][whole] == np.float32(0.8)).all()
+    assert (image["radiance"][image["coverage"] == 0] == 1).all()
+    expected = spheres.packing.path_trace(
+        VIEW, SIZE, samples=16, max_bounces=4, albedo=0.8, sky=1.0, sun=None, seed=0
+    )
+    assert (image["radiance"] == expected["radiance"]).all()
+
+
+def test_the_same_sky_in_other_words(spheres, tmp_path):
+    expected = light(spheres, sky=0.5)
+    for sky in ((0.5, 0.5), (0.5, 0.5, 0.5), ((0.5, 0.5, 0.5), 0.5), np.full(3, 0.5)):
+        assert (light(spheres, sky=sky) == expected).all()
+    pixels = np.full((8, 16, 3), 0.5, np.float32)
+    pixels[2, 3] = [4.0, 2.0, 1.0]
+    by_value = light(spheres, sky=pixels)
+    assert (by_value != expected).any()
+    spherepacking.write_image(tmp_path / "sky.exr", pixels)
+    for path in (tmp_path / "sky.exr", str(tmp_path / "sky.exr")):
+        assert (light(spheres, sky=path) == by_value).all()
+    # Bytes are sRGB: 188 is half of the light.
+    coded = light(spheres, sky=np.full((8, 16, 3), 188, np.uint8))
+    np.testing.assert_allclose(coded[:50], expected[:50], rtol=0.01)
+    np.testing.assert_allclose(coded.mean(), expected.mean(), rtol=0.02)
+
+
+def test_suns(spheres):
+    dark = light(spheres, sky=0.0)
+    assert (dark == 0).all()
+    one = light(spheres, sky=0.0, sun=(1, 1, 1))
+    assert (one == light(spheres, sky=0.0, sun=Sun((1, 1, 1), 1.0, 0.53))).all()
+    two = light(spheres, sky=0.0, sun=Sun([1, 1, 1], (2.0, 1.0, 0.0)))
+    np.testing.assert_allclose(two[:, 0], 2 * one[:, 0], rtol=1e-5)
+    assert (two[:, 2] == 0).all()
+
+
+def test_an_image_of_a_sky_is_kept(spheres):
+    accessor = PackingAccessor(spheres)
+    sky = np.random.default_rng(1).random((8, 16, 3))
+    accessor.path_trace(VIEW, SIZE, samples=2, sky=sky)
+    image = accessor.path_trace(VIEW, SIZE, samples=5, sky=sky.copy())
+    assert image.field_data["traced_samples"][0] == 3 * SIZE[0] * SIZE[1]
+    sky[0, 0] = 2.0
+    image = accessor.path_trace(VIEW, SIZE, samples=5, sky=sky)
+    assert image.field_data["traced_samples"][0] == 5 * SIZE[0] * SIZE[1]
+
+
+def test_colours(spheres):
+    albedo = np.array(
+        PackingAccessor(spheres).path_trace(VIEW, SIZE, color="#ff8000", albedo=0.5)["albedo"]
+    )
+    hit = albedo[:, 0] == 0.5
+    assert hit.sum() > 100
+    linear = ((128 / 255 + 0.055) / 1.055) ** 2.4
+    np.testing.assert_allclose(albedo[hit], [[0.5, 0.5 * linear, 0.0]] * hit.sum(), rtol=1e-5)
+    for words in ({"scalars": "radius", "cmap": "magma"}, {"random_colors": True}):
+        image = spheres.packing.path_trace(VIEW, SIZE, samples=1, **words)
+        assert len(np.unique(image["albedo"], axis=0)) > 5
+
+
+BAD = [
+    ({"samples": 0}, ValueError, "samples: found 0"),
+    ({"samples": 1.5}, TypeError, "samples: found 1.5"),
+    ({"max_bounces": -1}, ValueError, "max_bounces: found -1"),
+    ({"albedo": 1.1}, ValueError, "albedo: found 1.1"),
+    ({"albedo": np.nan}, ValueError, "albedo: found nan"),
+    ({"sky": -1}, ValueError, "sky: found"),
+    ({"sky": (1, 2, 3, 4)}, TypeError, "sky: found"),
+    ({"sky": "nowhere.exr"}, FileNotFoundError, "nowhere.exr: no such file"),
+    ({"sky": None}, TypeError, "sky: found None"),
+    ({"sky": np.full((2, 4, 3), np.nan)}, ValueError, "sky: found nan in an array"),
+    ({"sun": (0, 0, 0)}, ValueError, "sun: found the direction"),
+    ({"sun": "up"}, TypeError, "sun: found 'up'"),
+    ({"sun": Sun((0, 0, 1), -1)}, ValueError, "sun: found -1"),
+    ({"sun": Sun((0, 0, 1), 1, 200)}, ValueError, "sun's diameter: found 200"),
+    ({"seed": -1}, ValueError, "seed: found -1"),
+    ({"seed": 2**32}, ValueError, "seed: found 4294967296"),
+    ({"structure": "tree"}, ValueError, "structure: found 'tree'"),
+    ({"tile": 0}, ValueError, "tile: found 0"),
+    ({"time_budget": 0}, ValueError, "time_budget: found 0"),
+    ({"noise_target": -1}, ValueError, "noise_target: found -1"),
+    ({"min_samples": 1}, ValueError, "min_samples: found 1"),
+    ({"exposure": np.inf}, ValueError, "exposure: found inf"),
+    ({"filmic": 1}, TypeError, "filmic: found 1"),
+    ({"sky_visible": None}, TypeError, "sky_visible: found None"),
+    ({"camera": "front"}, TypeError, "camera: found a str"),
+    ({"window_size": (5, 0)}, ValueError, "window_size: found 0"),
+    ({"scalars": "mass"}, KeyError, "mass"),
+]
+
+
+@pytest.mark.parametrize(("words", "error", "found"), BAD)
+def test_refusals(spheres, words, error, found):
+    accessor = PackingAccessor(spheres)
+    with pytest.raises(error, match=found.replace("(", r"\(")):
+        accessor.path_trace(**({"camera": VIEW, "window_size": SIZE} | words))
+    # And works after that.
+    assert (accessor.path_trace(VIEW, SIZE, samples=1)["coverage"] > 0).any()
+
+
+def test_an_unreadable_sky(spheres, tmp_path):
+    path = tmp_path / "sky.hdr"
+    path.write_text("no picture")
+    with pytest.raises(OSError, match=r"sky\.hdr: the picture cannot be read"):
+        light(spheres, sky=path)
+
+
+def test_after_ctrl_c_it_goes_on(spheres):
+    accessor = PackingAccessor(spherepacking.apollonian(5))
+    timer = threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT))
+    timer.start()
+    with pytest.raises(KeyboardInterrupt):
+        accessor.path_trace(VIEW, (200, 200), samples=100_000)
+    timer.join()
+    image = accessor.path_trace(VIEW, (200, 200), samples=100_000, time_budget=0.01)
+    least = int(image["samples"].max())
+    expected = PackingAccessor(spherepacking.apollonian(5)).path_trace(
+        VIEW, (200, 200), samples=least
+    )
+    image = accessor.path_trace(VIEW, (200, 200), samples=least)
+    assert image.field_data["traced_samples"][0] < 200 * 200 * least
+    assert (image["radiance"] == expected["radiance"]).all()
+
+
+def test_exr_holds_all_of_it(spheres, tmp_path):
+    image = spheres.packing.path_trace(VIEW, SIZE, samples=3, seed=7, max_bounces=2)
+    path = tmp_path / "all.exr"
+    spherepacking.write_render(path, image)
+    source = oiio.ImageInput.open(str(path))
+    spec = source.spec()
+    pixels = source.read_image("float")[::-1].reshape(SIZE[0] * SIZE[1], -1)
+    source.close()
+    channels = dict(zip(spec.channelnames, pixels.T, strict=True))
+    for array, names in {
+        "radiance": "R G B",
+        "albedo": "albedo.R albedo.G albedo.B",
+        "normal": "normal.X normal.Y normal.Z",
+        "depth": "Z",
+        "coverage": "coverage.A",
+        "variance": "variance.Y",
+        "samples": "samples.Y",
+    }.items():
+        found = np.column_stack([channels[name] for name in names.split()])
+        np.testing.assert_array_equal(found, np.asarray(image[array]).reshape(found.shape))
+    ids = 65536 * channels["sphere_id.high"] + channels["sphere_id.low"]
+    np.testing.assert_array_equal(ids, image["sphere_id"])
+    assert spec.getattribute("Software") == f"spherepacking {spherepacking.__version__}"
+    assert spec.getattribute("spherepacking:seed") == 7
+    assert spec.getattribute("spherepacking:samples") == 3
+    assert spec.getattribute("spherepacking:max_bounces") == 2
+    assert spec.getattribute("spherepacking:camera_position") == "3.0 3.0 3.0"
+    assert spec.getattribute("spherepacking:view_angle") == 30.0
+
+
+def test_other_formats_hold_the_colours(spheres, tmp_path):
+    image = spheres.packing.path_trace(VIEW, SIZE, samples=1, sky_visible=False)
+    spherepacking.write_render(tmp_path / "a.png", image)
+    pixels = spherepacking.read_image(tmp_path / "a.png")
+    np.testing.assert_array_equal(pixels[::-1].reshape(-1, 4), image["color"])
+    with pytest.raises(ValueError, match="no point array 'color'"):
+        spherepacking.write_render(tmp_path / "b.exr", pv.ImageData(dimensions=(2, 2, 1)))
+    with pytest.raises(ValueError, match="no picture format"):
+        spherepacking.write_render(tmp_path / "b.nothing", image)
+
+
+def test_without_the_denoiser_it_says_so(spheres, monkeypatch):
+    monkeypatch.setitem(sys.modules, "pyoidn", None)
+    with pytest.raises(ImportError, match=r"denoise: .*spherepacking\[denoise\]"):
+        spheres.packing.path_trace(VIEW, SIZE, samples=1, denoise=True)
+
+
+@pytest.mark.skipif(not importlib.util.find_spec("pyoidn"), reason="no extra 'denoise'")
+def test_denoising_comes_closer():
+    spheres = spherepacking.apollonian(5)
+    size = (160, 120)
+    words = {"sky": (0.2, 1.0), "sun": Sun((1, 0, 1), 1.0, 10.0)}
+    best = np.array(spheres.packing.path_trace(VIEW, size, samples=2048, **words)["radiance"])
+    accessor = PackingAccessor(spheres)
+    noisy = accessor.path_trace(VIEW, size, samples=4, seed=1, **words)
+    image = accessor.path_trace(VIEW, size, samples=4, seed=1, denoise=True, **words)
+    assert image.field_data["traced_samples"][0] == 0
+    assert (image["radiance"] == noisy["radiance"]).all()
+    before, after = (np.mean((a - best) ** 2) for a in (image["radiance"], image["denoised"]))
+    assert after < 0.75 * before
+    light = np.clip(image["denoised"].astype(float), 0, 1)
+    encoded = np.where(light <= 0.0031308, 12.92 * light, 1.055 * light ** (1 / 2.4) - 0.055)
+    assert np.abs(image["color"][:, :3] - 255 * encoded).max() <= 0.51
+    # What was handed out before has its own colours.
+    assert (noisy["color"] != image["color"]).any()
