@@ -74,3 +74,8 @@ vtkGlyph3DMapper = importlib.import_module(f"{VTK_ROOT}.vtkRenderingCore").vtkGl
 # Stock VTK has it, cvista does not.
 vtkOpenGLSphereMapper = getattr(_opengl, "vtkOpenGLSphereMapper", None)
 vtkOpenGLSpherePackingMapper = _rendering.vtkOpenGLSpherePackingMapper
+vtkSpherePackingPicturePass = _rendering.vtkSpherePackingPicturePass
+vtkOpaquePass = _opengl.vtkOpaquePass
+vtkRenderPassCollection = _opengl.vtkRenderPassCollection
+vtkRenderStepsPass = _opengl.vtkRenderStepsPass
+vtkSequencePass = _opengl.vtkSequencePass

@@ -78,7 +78,7 @@ class Caster:
             cuts = arguments.count_of("cuts", cuts, least=0)
         size = arguments.size_of("window_size", window_size, most=_LARGEST_SIZE)
         camera = camera_of(camera)
-        state = _state_of(packing)
+        state = state_of(packing)
         if state is None or state != self._state:
             self._state = self._look = None
             if packing.n_points:
@@ -150,7 +150,7 @@ class Caster:
         return Pick(sphere, np.asarray(packing.points[sphere], float) + radius * normal, normal)
 
 
-def _state_of(packing: pv.PolyData) -> tuple[int, ...] | None:
+def state_of(packing: pv.PolyData) -> tuple[int, ...] | None:
     """When centres and radii were last changed, which no two of VTK's arrays have in common."""
     radii = packing.GetPointData().GetAbstractArray("radius")
     if not packing.n_points or radii is None:
@@ -249,8 +249,6 @@ def _colors_of(packing: pv.PolyData, scalars: Scalars, words: dict[str, object])
     mapper.set_scalars(scalars.values, scalars.name, rgb=scalars.rgb, **words)
     # What PyVista puts before it makes the scalars the active ones.
     mapper.GetInputAlgorithm().Update()
-    # Else VTK would hand out coordinates of a texture.
-    mapper.SetInterpolateScalarsBeforeMapping(False)
     colors = mapper.MapScalars(1.0)
     colors.SetName("spherepacking colors")
     return colors

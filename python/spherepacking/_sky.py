@@ -77,7 +77,7 @@ def sky_of(sky: object) -> Sky:
     if numeric and values.ndim == 3 and values.shape[2] >= 3 and values.size:
         return Sky(pixels=_checked(_linear(values), "an array"))
     if numeric and values.shape in ((), (3,)):
-        color = _radiance_of("sky", values)
+        color = _radiance_of("sky", sky)
         return Sky(color, color)
     raise TypeError(
         f"sky: found {sky!r}, expected a number, red, green and blue, two of either for the bottom "

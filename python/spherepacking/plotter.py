@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from pyvista.plotting._typing import ColorLike
     from pyvista.plotting.themes import Theme
 
+    from ._live import LivePicture
     from ._scalars import Opacity, Scalars
     from .mapper import SpherePackingMapper
 
@@ -44,8 +45,11 @@ class PackingComponent:
 
     def __init__(self, plotter: pv.BasePlotter) -> None:
         self._plotter: pv.BasePlotter | None = plotter
+        self._pictures: list[LivePicture] = []
 
     def __plotter_close__(self) -> None:
+        while self._pictures:
+            self._pictures.pop().close()
         self._plotter = None
 
     @property
@@ -244,6 +248,102 @@ class PackingComponent:
             plotter.add_scalar_bar(mapper=actor.mapper, render=False, **bar)
         if render:
             plotter.render()
+
+    def path_trace(
+        self,
+        packing: pv.PolyData,
+        *,
+        samples: int = 64,
+        step: float = 0.1,
+        scalars: str | ArrayLike | None = None,
+        rgb: bool | None = None,
+        cmap: str | list[ColorLike] | pv.LookupTable | None = None,
+        clim: Sequence[float] | float | None = None,
+        log_scale: bool = False,
+        color: ColorLike | None = None,
+        show_scalar_bar: bool | None = None,
+        scalar_bar_args: dict | None = None,
+        name: str | None = None,
+        reset_camera: bool | None = None,
+        **light: object,
+    ) -> LivePicture:
+        """Add spheres that are seen in the light of a sky and a sun.
+
+        While the camera moves, the spheres are drawn as :meth:`add` does. When it rests, their
+        picture is traced and shown instead, better and better, among all that else is in the
+        scene, which neither lights it nor casts shadows on it. Offscreen, every rendering shows the
+        finished picture.
+
+        Parameters
+        ----------
+        packing : pyvista.PolyData
+            Centres (n, 3) and point array ``radius`` (n,).
+        samples : int, default: 64
+            Samples a pixel of the finished picture.
+        step : float, default: 0.1
+            Seconds between two pictures while it becomes better, from 0.001 to 60.
+        scalars, rgb, cmap, clim, log_scale, color, show_scalar_bar, scalar_bar_args, name, \
+        reset_camera
+            As in :meth:`add`; without `scalars` and `color` the spheres are white.
+        **light : dict, optional
+            `max_bounces`, `albedo`, `sky`, `sun`, `seed`, `exposure`, `filmic`, `denoise`,
+            `structure` and others of ``packing.packing.path_trace``.
+
+        Returns
+        -------
+        LivePicture
+            Has the ``actor``, ``samples`` and ``finished``, and the methods ``refine`` and
+            ``close``.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If an argument is none, or the plotter has another render pass; the plotter is as it
+            was.
+
+        Examples
+        --------
+        >>> import pyvista as pv
+        >>> import spherepacking
+        >>> plotter = pv.Plotter(off_screen=True, window_size=(200, 150))
+        >>> live = plotter.packing.path_trace(spherepacking.apollonian(3), samples=4)
+        >>> plotter.show(auto_close=False)
+        >>> live.finished
+        True
+        >>> plotter.close()
+        """
+        from ._live import LivePicture, check_live
+        from .accessor import PackingAccessor
+
+        samples, step = check_live(self.plotter, samples, step)
+        look = {
+            "scalars": scalars,
+            "rgb": rgb,
+            "cmap": cmap,
+            "clim": clim,
+            "log_scale": log_scale,
+            "color": "white" if scalars is None and color is None else color,
+        }
+        unknown = {"time_budget", "sky_visible", "random_colors", "progress"} & light.keys()
+        if unknown:
+            raise TypeError(f"{min(unknown)}: found one, expected none in a plotter")
+        # Whatever is wrong is found with a single pixel.
+        view = [(1.0, 1.0, 1.0), (0.0, 0.0, 0.0), (0.0, 0.0, 1.0)]
+        PackingAccessor(arguments.packing_of(packing)).path_trace(
+            view, (1, 1), samples=1, **look, **light
+        )
+        actor = self.add(
+            packing,
+            **look,
+            show_scalar_bar=show_scalar_bar,
+            scalar_bar_args=scalar_bar_args,
+            name=name,
+            reset_camera=reset_camera,
+            render=False,
+        )
+        live = LivePicture(self.plotter, actor, packing, samples, step, look | light)
+        self._pictures.append(live)
+        return live
 
     def screenshot(
         self,

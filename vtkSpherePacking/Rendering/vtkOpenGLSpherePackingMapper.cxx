@@ -143,7 +143,7 @@ void vtkOpenGLSpherePackingMapper::RenderPiece(vtkRenderer* ren, vtkActor* act)
     this->GetInputAlgorithm()->Update();
   }
   this->InvokeEvent(vtkCommand::EndEvent, nullptr);
-  if (this->PrepareInput())
+  if (this->PrepareInput() && (this->Drawn || ren->GetSelector()))
   {
     this->RenderPieceStart(ren, act);
     this->RenderPieceDraw(ren, act);

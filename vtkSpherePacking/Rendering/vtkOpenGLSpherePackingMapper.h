@@ -69,6 +69,15 @@ public:
    */
   void SetInterpolateScalarsBeforeMapping(vtkTypeBool) override {}
 
+  ///@{
+  /**
+   * Whether the spheres are drawn, on by default. Off, they still count for the scene's bounds and
+   * are found by selection, for when something else shows them.
+   */
+  void SetDrawn(bool drawn) { this->Drawn = drawn; }
+  bool GetDrawn() const { return this->Drawn; }
+  ///@}
+
   /**
    * What stopped the last drawing, or empty.
    */
@@ -126,6 +135,7 @@ private:
   bool DrawingQuads() const;
   bool DrawingScreen() const;
 
+  bool Drawn = true;
   struct Internals;
   std::unique_ptr<Internals> Impl;
 };

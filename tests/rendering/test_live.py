@@ -1,0 +1,216 @@
+"""``plotter.packing.path_trace``: the traced picture among what else is in the scene."""
+
+import time
+
+import numpy as np
+import pytest
+import pyvista as pv
+import spherepacking
+from spherepacking._backend import vtkSpherePackingPicturePass
+from spherepacking.accessor import PackingAccessor
+
+SIZE = (160, 120)
+WORDS = {"samples": 4, "sky": (0.3, 0.9), "sun": (1, 0, 1)}
+
+
+@pytest.fixture
+def scene():
+    """Return a plotter without anything in it, seen from (3, 3, 3)."""
+    plotter = pv.Plotter(off_screen=True, window_size=SIZE)
+    plotter.render_window.SetMultiSamples(0)
+    plotter.set_background("black")
+    plotter.camera_position = [(3, 3, 3), (0, 0, 0), (0, 0, 1)]
+    yield plotter
+    plotter.close()
+
+
+@pytest.fixture
+def spheres():
+    return spherepacking.apollonian(3)
+
+
+def drawn(plotter):
+    """Render and return what the window holds, from the lower left corner."""
+    plotter.render_window.Render()
+    reader = pv._vtk.vtkWindowToImageFilter()
+    reader.SetInput(plotter.render_window)
+    reader.ReadFrontBufferOff()
+    reader.ShouldRerenderOff()
+    reader.Update()
+    return np.array(pv.wrap(reader.GetOutput())["ImageScalars"], int)
+
+
+def traced(spheres, plotter, **words):
+    image = PackingAccessor(spheres).path_trace(
+        plotter.camera, SIZE, sky_visible=False, **(WORDS | words)
+    )
+    return np.array(image["color"], int), np.array(image["depth"])
+
+
+@pytest.mark.parametrize("parallel", [False, True])
+def test_the_window_shows_the_picture(scene, spheres, parallel):
+    live = scene.packing.path_trace(spheres, reset_camera=False, **WORDS)
+    if parallel:
+        scene.enable_parallel_projection()
+        scene.camera.parallel_scale = 1.2
+    found = drawn(scene)
+    assert live.finished
+    assert live.samples == 4
+    color, _ = traced(spheres, scene)
+    share = color[:, 3:] / 255
+    assert (share == 1).sum() > 1000
+    assert ((share > 0) & (share < 1)).sum() > 100
+    assert np.abs(found - share * color[:, :3]).max() <= 1
+    # Another view, another picture.
+    scene.camera.azimuth += 30
+    found = drawn(scene)
+    color, _ = traced(spheres, scene)
+    assert np.abs(found - color[:, 3:] / 255 * color[:, :3]).max() <= 1
+
+
+@pytest.mark.parametrize("parallel", [False, True])
+def test_other_actors_are_before_and_behind(scene, spheres, parallel):
+    """A disc through the middle, square to the view, is hidden where spheres are before it."""
+    live = scene.packing.path_trace(spheres, reset_camera=False, **WORDS)
+    disc = pv.Disc(inner=0.0, outer=5.0, normal=(1, 1, 1), c_res=60)
+    scene.add_mesh(disc, color=(0, 0, 255), lighting=False, reset_camera=False)
+    if parallel:
+        scene.enable_parallel_projection()
+        scene.camera.parallel_scale = 1.2
+    found = drawn(scene)
+    color, depth = traced(spheres, scene)
+    distance = np.sqrt(27)
+    before = (color[:, 3] == 255) & (depth < distance - 0.02)
+    # At edges a pixel whose middle misses has the depth of its neighbours.
+    behind = (depth > distance + 0.02) & (np.isfinite(depth) | (color[:, 3] == 0))
+    assert min(before.sum(), behind.sum()) > 200
+    assert np.abs(found - color[:, :3])[before].max() <= 1
+    assert (found[behind] == [0, 0, 255]).all()
+    assert live.finished
+
+
+def test_what_is_transparent_comes_after(scene, spheres):
+    scene.packing.path_trace(spheres, reset_camera=False, **WORDS)
+    plane = pv.Plane(center=(1.5, 1.5, 1.5), direction=(1, 1, 1), i_size=9, j_size=9)
+    scene.add_mesh(plane, color=(0, 0, 255), opacity=0.5, lighting=False, reset_camera=False)
+    found = drawn(scene)
+    color, _ = traced(spheres, scene)
+    expected = 0.5 * color[:, 3:] / 255 * color[:, :3] + [0, 0, 127.5]
+    assert np.abs(found - expected).max() <= 2
+
+
+def test_changed_radii_are_seen(scene, spheres):
+    scene.packing.path_trace(spheres, reset_camera=False, **WORDS)
+    first = drawn(scene)
+    spheres["radius"][:] *= 0.5
+    found = drawn(scene)
+    assert (found != first).any()
+    color, _ = traced(spheres, scene)
+    assert np.abs(found - color[:, 3:] / 255 * color[:, :3]).max() <= 1
+
+
+def test_in_a_window_it_refines_while_the_camera_rests(scene, spheres):
+    live = scene.packing.path_trace(spheres, reset_camera=False, step=0.01, **WORDS)
+    # As if there were someone to look at it, and a timer.
+    scene.off_screen = False
+    mapper = live.actor.mapper
+    drawn(scene)
+    assert (live.samples, mapper.GetDrawn()) == (0, True)
+    live._tick()
+    assert live.samples == 0, "it has just come to rest"
+    live._tick()
+    assert live.samples >= 1
+    drawn(scene)
+    assert not mapper.GetDrawn()
+    for _ in range(100):
+        if live.finished:
+            break
+        live._tick()
+    assert live.samples == 4
+    found = drawn(scene)
+    color, _ = traced(spheres, scene)
+    assert np.abs(found - color[:, 3:] / 255 * color[:, :3]).max() <= 1
+    # It moves: the mapper, at once.
+    scene.camera.azimuth += 10
+    drawn(scene)
+    assert (live.samples, mapper.GetDrawn()) == (0, True)
+    live._tick()
+    live._tick()
+    assert live.samples >= 1
+    scene.off_screen = True
+
+
+def test_closing_leaves_the_spheres_to_the_mapper(scene, spheres):
+    live = scene.packing.path_trace(spheres, reset_camera=False, **WORDS)
+    first = drawn(scene)
+    live.close()
+    assert scene.renderer.GetPass() is None
+    second = drawn(scene)
+    assert (first != second).any()
+    assert (second > 0).any()
+    # And there may be another one.
+    again = scene.packing.path_trace(spheres, name="again", reset_camera=False, **WORDS)
+    assert again is not live
+    scene.remove_actor(live.actor)
+    assert np.abs(drawn(scene) - first).max() <= 1
+
+
+def test_refusals_change_nothing(scene, spheres):
+    scene.packing.path_trace(spheres, reset_camera=False, **WORDS)
+    for words, error, found in (
+        ({}, ValueError, "render pass: found one"),
+        ({"samples": 0}, ValueError, "render pass"),
+    ):
+        with pytest.raises(error, match=found):
+            scene.packing.path_trace(spheres, **words)
+    other = pv.Plotter(off_screen=True, window_size=SIZE)
+    try:
+        for words, error, found in (
+            ({"samples": 0}, ValueError, "samples: found 0"),
+            ({"step": 0}, ValueError, "step: found 0"),
+            ({"sky": -1}, ValueError, "sky: found -1"),
+            ({"albedo": 2}, ValueError, "albedo: found 2"),
+            ({"time_budget": 1.0}, TypeError, "time_budget: found one"),
+            ({"scalars": "mass"}, KeyError, "mass"),
+            ({"nonsense": 1}, TypeError, "nonsense"),
+        ):
+            with pytest.raises(error, match=found):
+                other.packing.path_trace(spheres, **words)
+        assert not other.renderer.actors
+        assert other.renderer.GetPass() is None
+    finally:
+        other.close()
+
+
+def test_a_pass_without_a_picture_draws_nothing(scene):
+    from spherepacking._live import _steps_with
+
+    picture = vtkSpherePackingPicturePass()
+    scene.renderer.SetPass(_steps_with(picture))
+    assert (drawn(scene) == 0).all()
+    picture.SetPicture(pv.ImageData(dimensions=(4, 4, 1)))
+    assert (drawn(scene) == 0).all()
+    image = pv.ImageData(dimensions=(2, 2, 1))
+    image["color"] = np.array([[255, 0, 0, 255]] * 4, np.uint8)
+    image["depth"] = np.full(4, 5.0, np.float32)
+    picture.SetPicture(image)
+    assert (drawn(scene) == [255, 0, 0]).all()
+    image["color"][:] = [0, 255, 0, 255]
+    image.GetPointData().GetArray("color").Modified()
+    assert (drawn(scene) == [0, 255, 0]).all()
+    scene.renderer.SetPass(None)
+    picture.ReleaseGraphicsResources(scene.render_window)
+
+
+def test_the_first_picture_comes_soon():
+    """Within seconds even on a busy machine; how soon is what the benchmark measures."""
+    packing = spherepacking.apollonian(6)
+    plotter = pv.Plotter(off_screen=True, window_size=(400, 400))
+    live = plotter.packing.path_trace(packing, samples=10_000)
+    plotter.off_screen = False
+    plotter.render()
+    start = time.perf_counter()
+    assert 1 <= live.refine(0.05) < 10_000
+    assert time.perf_counter() - start < 5
+    plotter.off_screen = True
+    plotter.close()
