@@ -27,8 +27,8 @@ import subprocess
 import sys
 import time
 
+from bars import Bars
 from rich.console import Console
-from rich.table import Table
 from spherepacking.accessor import PackingAccessor
 from spherepacking.bench import embree
 from spherepacking.bench.measure import errors_of, expect, take_turns
@@ -37,20 +37,6 @@ from spherepacking.bench.techniques import RayCast
 
 SIZE = (1000, 1000)
 GIB = 1 << 30
-
-
-class Bars:
-    """A table of what is measured and whether it is good enough."""
-
-    def __init__(self, title: str, *names: str) -> None:
-        self.table = Table(title=title)
-        self.good = True
-        for name in (*names, "bar", ""):
-            self.table.add_column(name, justify="right")
-
-    def add(self, *values: str, bar: str, met: bool) -> None:
-        self.good &= met
-        self.table.add_row(*values, bar, "met" if met else "NOT MET")
 
 
 def builds(packing, peer: embree.Embree, turns: int) -> tuple[float, float]:

@@ -1,5 +1,9 @@
 """The command ``spherepacking bench``."""
 
+import csv
+import importlib.util
+import itertools
+
 import pytest
 import spherepacking
 from spherepacking import cli
@@ -12,7 +16,19 @@ def bench(tmp_path, *arguments):
 
 
 def test_table_csv_and_picture(tmp_path, capsys):
-    words = ["--counts", 400, 100, "--size", 80, 60, "--turns", 1, "--only", "OpenGL", "bvh"]
+    words = [
+        "--counts",
+        400,
+        100,
+        "--size",
+        80,
+        60,
+        "--turns",
+        1,
+        "--only",
+        "OpenGL",
+        "ray cast, bvh",
+    ]
     assert bench(tmp_path, *words) == 0
     said = capsys.readouterr().out
     lines = (tmp_path / "b.csv").read_text().splitlines()
@@ -20,11 +36,29 @@ def test_table_csv_and_picture(tmp_path, capsys):
     for word in ("ray cast, bvh, 9 rays", "OpenGL", "400", "100"):
         assert word in said
     picture = spherepacking.read_image(tmp_path / "b.png").astype(int)
-    assert picture.shape == (1500, 2000, 3)
-    # Each of the four charts has lines in the colours of the techniques.
-    for quarter in (picture[:750, :1000], picture[:750, 1000:], picture[750:, :1000]):
+    assert picture.shape == (1500, 3000, 3)
+    # Each of these charts has lines in the colours of the techniques.
+    for quarter in (picture[:750, :1000], picture[:750, 1000:2000], picture[:750, 2000:]):
         assert (abs(quarter - [0x1F, 0x77, 0xB4]).sum(axis=-1) < 30).sum() > 50
         assert (abs(quarter - [0xD6, 0x27, 0x28]).sum(axis=-1) < 30).sum() > 50
+
+
+def test_light_is_measured_once(tmp_path, capsys):
+    words = ["--counts", 100, 300, "--size", 80, 60, "--turns", 1, "--only", "path trace"]
+    assert bench(tmp_path, *words) == 0
+    assert "path trace, bvh, 16 paths" in capsys.readouterr().out
+    with (tmp_path / "b.csv").open(newline="") as file:
+        rows = list(csv.DictReader(file))
+    assert [row["spheres"] for row in rows] == ["300"] * 5
+    assert [row["rays"] for row in rows] == ["1", "4", "16", "64", "256"]
+    errors = [float(row["relative_mse"]) for row in rows]
+    assert all(b < a / 3 for a, b in itertools.pairwise(errors))
+    assert {row["wrong_pixels"] for row in rows} == {"0"}
+    if importlib.util.find_spec("flip_evaluator"):
+        visible = [float(row["flip"]) for row in rows]
+        assert visible == sorted(visible, reverse=True)
+    else:
+        assert {row["flip"] for row in rows} == {""}
 
 
 def test_what_is_done_is_kept(tmp_path, monkeypatch, capsys):
@@ -36,7 +70,7 @@ def test_what_is_done_is_kept(tmp_path, monkeypatch, capsys):
 
     whole = command.measure
     monkeypatch.setattr(command, "measure", stopped)
-    words = ["--counts", 100, 200, "--size", 40, 30, "--turns", 1, "--only", "bvh"]
+    words = ["--counts", 100, 200, "--size", 40, 30, "--turns", 1, "--only", "cast, bvh"]
     assert bench(tmp_path, *words) == 130
     assert "ray cast, bvh" in capsys.readouterr().out
     assert len((tmp_path / "b.csv").read_text().splitlines()) == 4

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
     from .measure import Row
 
-SIZE = (2000, 1500)
+SIZE = (3000, 1500)
 _COLORS = ("#1f77b4", "#d62728", "#2ca02c", "#9467bd", "#ff7f0e", "#17becf", "#e377c2", "#8c564b")
 _MARKERS = ("o", "s", "d", "x", "+")
 
@@ -71,6 +71,20 @@ _CHARTS: tuple[tuple[str, str, str, Callable[[Row], float], Callable[[Row], floa
         lambda row: row.seconds,
         lambda row: row.color_error,
     ),
+    (
+        "Light: error by time",
+        "seconds a frame",
+        "relative MSE against 4096 paths a pixel",
+        lambda row: row.seconds,
+        lambda row: row.relative_mse,
+    ),
+    (
+        "Light: visible error by time",
+        "seconds a frame",
+        "mean FLIP error against 4096 paths a pixel",
+        lambda row: row.seconds,
+        lambda row: row.flip,
+    ),
 )
 
 
@@ -92,10 +106,10 @@ def write_chart(rows: Sequence[Row], path: Path) -> None:
     from ..image import write_image
 
     looks = _looks(rows)
-    plotter = pv.Plotter(off_screen=True, shape=(2, 2), window_size=SIZE, border=False)
+    plotter = pv.Plotter(off_screen=True, shape=(2, 3), window_size=SIZE, border=False)
     try:
         for i, words in enumerate(_CHARTS):
-            plotter.subplot(i // 2, i % 2)
+            plotter.subplot(i // 3, i % 3)
             plotter.set_background("white")
             plotter.add_chart(_chart(rows, looks, *words, legend=i == 0))
         pixels = plotter.screenshot(None, return_img=True, transparent_background=False)

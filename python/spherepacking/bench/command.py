@@ -93,7 +93,7 @@ def run(
     if rows:
         write_chart(rows, png)
         # Wide enough for all columns, also where the output is no terminal.
-        console = Console(width=max(Console().width, 100))
+        console = Console(width=max(Console().width, 126))
         console.print(table_of(rows, size))
         console.print(f"written: {csv}, {png}")
     if stopped is not None:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..accessor import PackingAccessor
-from . import reference
+from . import light, reference
 from .scenes import camera_of_all, depths_of, knot_tube
 from .techniques import label_of
 
@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 
     from .techniques import Seen, Subject, Technique
 
+ONCE = 100_000
+"""Spheres with which techniques are measured that take long, if there are so many."""
 MOST_RAYS = 16
 """Along each side of a pixel, in the picture that colours are compared with."""
 
@@ -54,6 +56,10 @@ class Row:
     color_error: float
     """Root mean square of the colour's difference from 256 rays a pixel, as a share of white, over
     the pixels that either hits; NaN where colours mean something else."""
+    relative_mse: float = np.nan
+    """Of the light, against 4096 samples a pixel; NaN for what has none."""
+    flip: float = np.nan
+    """Mean FLIP error against them; NaN for what has no light, or without the evaluator."""
 
     @property
     def label(self) -> str:
@@ -171,7 +177,12 @@ def measure(
         tick(f"{count} spheres: float64 rays")
         packing = knot_tube(count)
         expected = expect(packing, camera, size)
-        chosen = [t for t in techniques if last.get(t.label, 0.0) * count / previous <= limit]
+        chosen = [
+            t
+            for t in techniques
+            if last.get(t.label, 0.0) * count / previous <= limit
+            and (not t.once or count == _only_count(counts))
+        ]
         subjects = []
         try:
             for technique in chosen:
@@ -180,15 +191,20 @@ def measure(
             tick(f"{count} spheres: frames")
             times = take_turns(subjects, turns, limit)
             tick(f"{count} spheres: errors")
-            yield _rows(chosen, subjects, times, packing, camera, expected)
+            yield _rows(chosen, subjects, times, packing, camera, size, expected)
         finally:
             for subject in subjects:
                 subject.close()
         # Those that are left out stay out.
-        last = {t.label: float("inf") for t in techniques} | {
+        last = {t.label: float("inf") for t in techniques if not t.once} | {
             t.label: min(own) for t, own in zip(chosen, times, strict=True)
         }
         previous = count
+
+
+def _only_count(counts: Sequence[int]) -> int:
+    """Return the number of spheres for what takes long: that of the report on such renderers."""
+    return ONCE if ONCE in counts else max(counts)
 
 
 def _rows(
@@ -197,10 +213,11 @@ def _rows(
     times: Sequence[Sequence[float]],
     packing: pv.PolyData,
     camera: pv.Camera,
+    size: tuple[int, int],
     expected: Expected,
 ) -> list[Row]:
     """One row a technique."""
-    exact = None
+    exact = bright = None
     rows = []
     for technique, subject, own in zip(techniques, subjects, times, strict=True):
         seen = subject.seen()
@@ -209,6 +226,15 @@ def _rows(
             if exact is None:
                 exact = _smooth(packing, camera, seen.color.shape[1::-1])
             error = color_error(seen.color, exact)
+        light_error = {}
+        if hasattr(subject, "light"):
+            if bright is None:
+                bright = light.reference(packing, camera, size)
+            image = subject.light(light.size_of_reference(size))
+            light_error = {
+                "relative_mse": light.relative_mse(image["radiance"], bright["radiance"]),
+                "flip": light.flip(image, bright),
+            }
         rows.append(
             Row(
                 technique=technique.name,
@@ -221,6 +247,7 @@ def _rows(
                 bytes_per_sphere=subject.memory_bytes / packing.n_points,
                 color_error=error,
                 **errors_of(seen, expected),
+                **light_error,
             )
         )
     return rows

@@ -40,12 +40,13 @@ def table_of(rows: Sequence[Row], size: tuple[int, int]) -> Table:
         title=f"Frame of {size[0]} × {size[1]} pixels, and its error against float64 rays",
         caption="ms: a frame; build: the structure's, in ms; bytes: of the structure, a sphere; "
         "wrong: share of the hit pixels that show another sphere, or none; depth, most: median and "
-        "largest of the relative errors; colour: RMS difference from 256 rays a pixel, white is 1",
+        "largest of the relative errors; colour: RMS difference from 256 rays a pixel, white is 1; "
+        "relMSE and FLIP: of the light, against 4096 paths a pixel",
         box=box.SIMPLE,
     )
     for name in ("spheres", "technique", "ms", "build", "bytes"):
-        table.add_column(name, justify="left" if name == "technique" else "right")
-    for name in ("wrong", "depth", "most", "colour"):
+        table.add_column(name, justify="left" if name == "technique" else "right", no_wrap=True)
+    for name in ("wrong", "depth", "most", "colour", "relMSE", "FLIP"):
         table.add_column(name, justify="right")
     before = None
     for row in rows:
@@ -61,6 +62,8 @@ def table_of(rows: Sequence[Row], size: tuple[int, int]) -> Table:
             _number(row.depth_median, ".1e"),
             _number(row.depth_most, ".1e"),
             _number(row.color_error, ".4f"),
+            _number(row.relative_mse, ".1e"),
+            _number(row.flip, ".4f"),
         )
         before = row.spheres
     return table

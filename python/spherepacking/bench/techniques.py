@@ -59,6 +59,8 @@ class Technique:
     """Rays or samples a pixel."""
     prepare: Callable[[pv.PolyData, pv.Camera, tuple[int, int]], Subject]
     """Makes a subject of a packing, a camera and the picture's size in pixels."""
+    once: bool = False
+    """Whether one number of spheres is enough, because it takes long."""
 
     @property
     def label(self) -> str:
@@ -68,8 +70,14 @@ class Technique:
 
 def label_of(name: str, structure: str, rays: int) -> str:
     """Say in a few words which technique it is."""
-    words = [name, structure, f"{rays} rays" if rays > 1 else ""]
+    unit = "paths" if name == "path trace" else "rays"
+    words = [name, structure, f"{rays} {unit}" if rays > 1 else ""]
     return ", ".join(word for word in words if word)
+
+
+LIGHT = {"scalars": "radius", "sky": 1.0, "max_bounces": 4, "albedo": 0.8}
+"""Of the scene that paths are traced in, as arguments of ``packing.packing.path_trace``."""
+PATH_SAMPLES = (1, 4, 16, 64, 256)
 
 
 class RayCast:
@@ -114,6 +122,54 @@ class RayCast:
 
     def close(self) -> None:
         """Let the structure go."""
+        self._image = self._spheres = None
+
+
+class PathTrace:
+    """Pictures of ``packing.packing.path_trace``, each from the start."""
+
+    def __init__(
+        self,
+        packing: pv.PolyData,
+        camera: pv.Camera,
+        size: tuple[int, int],
+        structure: str,
+        samples: int,
+    ) -> None:
+        self._spheres = PackingAccessor(packing)
+        self._words = LIGHT | {"camera": camera, "structure": structure, "samples": samples}
+        self._size = size
+        self._seed = 0
+        self._image = None
+        # The structure and a picture of the least size.
+        fields = self._spheres.path_trace(window_size=(1, 1), **self._words).field_data
+        has = structure != "none"
+        self.build_seconds = float(fields["build_seconds"][0]) if has else np.nan
+        self.memory_bytes = float(fields["memory_bytes"][0]) if has else np.nan
+
+    def frame(self) -> None:
+        """Trace the paths, others than the last time."""
+        self._seed += 1
+        self._image = self._spheres.path_trace(
+            window_size=self._size, seed=self._seed, **self._words
+        )
+
+    def seen(self) -> Seen:
+        """Return what the middles of the pixels show."""
+        if self._image is None:
+            self.frame()
+        width, height = self._size
+        return Seen(
+            np.asarray(self._image["sphere_id"]).reshape(height, width),
+            np.asarray(self._image["depth"], dtype=float).reshape(height, width),
+        )
+
+    def light(self, size: tuple[int, int]) -> pv.ImageData:
+        """Trace a picture of another size, whose light can be compared."""
+        return self._spheres.path_trace(window_size=size, **self._words)
+
+    def close(self) -> None:
+        """Let the structure and the picture go."""
         self._image = self._spheres = None
 
 
@@ -201,7 +257,7 @@ def _add_spheres(
 
 
 def own() -> list[Technique]:
-    """Return the techniques of this package, the slowest last."""
+    """Return the techniques of this package."""
     made = [Technique("OpenGL", "", 1, lambda *view: Window(*view, _add_spheres))]
     for structure, samples in (("bvh", 1), ("bvh", 2), ("bvh", 3), ("grid", 1), ("none", 1)):
         made.append(
@@ -210,6 +266,16 @@ def own() -> list[Technique]:
                 structure,
                 samples**2,
                 lambda *view, how=(structure, samples): RayCast(*view, *how),
+            )
+        )
+    for samples in PATH_SAMPLES:
+        made.append(
+            Technique(
+                "path trace",
+                "bvh",
+                samples,
+                lambda *view, samples=samples: PathTrace(*view, "bvh", samples),
+                once=True,
             )
         )
     return made
