@@ -1,7 +1,8 @@
 """Show a packing in the light of a sky and a sun.
 
 Paths of light are followed from sphere to sphere: the sun casts shadows, the sky reaches into gaps
-as far as it can, and colours bleed from sphere to sphere. More bounces brighten what is deep inside.
+as far as it can, and colours bleed from sphere to sphere. More bounces brighten what is deep
+inside.
 """
 
 import sys
@@ -36,7 +37,7 @@ size = (800, 800)
 pictures = []
 for bounces in (1, 8):
     image = packing.packing.path_trace(
-        camera, size, samples=64, max_bounces=bounces, scalars="paint_rgb", filmic=True, **light
+        camera, size, samples=32, max_bounces=bounces, scalars="paint_rgb", filmic=True, **light
     )
     seconds = image.field_data["complete_seconds"][0]
     print(f"{bounces} bounces: {seconds:.1f} s, mean light {image['radiance'].mean():.3f}")

@@ -65,14 +65,19 @@ class LivePicture:
         self._last: tuple[object, ...] | None = None
         """Where the camera was at the last tick."""
         self.samples = 0
-        """Samples a pixel of the picture that is shown, 0 for none."""
+        """Samples that each pixel of the picture has at least."""
         self._tags = [(self._renderer, self._renderer.AddObserver("StartEvent", self._before))]
         self._timer = None
 
     @property
+    def shown(self) -> bool:
+        """Whether there is a picture of the present view, be it a preview."""
+        return self._view is not None and self._view == self._present()
+
+    @property
     def finished(self) -> bool:
         """Whether the picture of the present view has all its samples."""
-        return self.samples >= self._samples and self._view == self._present()
+        return self.samples >= self._samples and self.shown
 
     def refine(self, seconds: float | None = None) -> int:
         """Trace more of the picture of the present view; the next rendering shows it.
@@ -85,7 +90,7 @@ class LivePicture:
         Returns
         -------
         int
-            Samples that each pixel has now.
+            Samples that each pixel has now at least; 0 if some show their neighbours' light.
         """
         view = self._present()
         image = self._spheres.path_trace(
@@ -93,6 +98,7 @@ class LivePicture:
             self._renderer.GetSize(),
             samples=self._samples,
             time_budget=seconds,
+            preview=seconds is not None,
             sky_visible=False,
             **self._words,
         )
@@ -142,11 +148,11 @@ class LivePicture:
         plotter = self._plotter()
         if plotter is None:
             return
-        if plotter.off_screen and self._view != self._present():
+        if plotter.off_screen and not self.finished:
             self.refine()
         elif not plotter.off_screen:
             self._start_timer(plotter)
-        shown = self._view == self._present() and self._renderer.GetPass() is self._steps
+        shown = self.shown and self._renderer.GetPass() is self._steps
         self.actor.mapper.SetDrawn(not shown)
         if not shown:
             self._picture.SetPicture(None)

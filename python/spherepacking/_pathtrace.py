@@ -35,6 +35,7 @@ class PathTracer(Caster):
         sun: Sun | None,
         seed: int,
         time_budget: float | None,
+        preview: bool,
         noise_target: float | None,
         min_samples: int,
         exposure: float,
@@ -53,6 +54,7 @@ class PathTracer(Caster):
                 limits[name] = arguments.number_of(name, value, np.finfo(float).tiny, np.inf)
         min_samples = arguments.count_of("min_samples", min_samples, least=2)
         exposure = arguments.number_of("exposure", exposure, -100.0, 100.0)
+        preview = arguments.flag_of("preview", preview)
         filmic = arguments.flag_of("filmic", filmic)
         sky_visible = arguments.flag_of("sky_visible", sky_visible)
         tracer = self._tracer
@@ -63,6 +65,7 @@ class PathTracer(Caster):
         set_sun(tracer, sun)
         tracer.SetSeed(seed)
         tracer.SetTimeBudget(min(limits["time_budget"] or 0.0, 1e300))
+        tracer.SetPreview(preview)
         tracer.SetNoiseTarget(min(limits["noise_target"] or 0.0, 1e300))
         tracer.SetMinimumNumberOfSamples(min_samples)
         tracer.SetExposure(exposure)

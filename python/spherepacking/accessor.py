@@ -225,6 +225,7 @@ class PackingAccessor(BoxesOfPacking):
         cuts: int | None = None,
         tile: Sequence[int] | int | None = None,
         time_budget: float | None = None,
+        preview: bool = False,
         noise_target: float | None = None,
         min_samples: int = 16,
         exposure: float = 0.0,
@@ -279,6 +280,9 @@ class PackingAccessor(BoxesOfPacking):
             Width and height in pixels of the tiles in which the picture is made.
         time_budget : float, optional
             Seconds after which no tile is begun any more; every pixel has a sample at least.
+        preview : bool, default: False
+            With `time_budget`, begin with one pixel in four, whose light ``color`` shows at the
+            other three as well for as long as they have none.
         noise_target : float, optional
             Relative error at which a part of the picture, 32 x 32 pixels, gets no more samples.
         min_samples : int, default: 16
@@ -367,6 +371,7 @@ class PackingAccessor(BoxesOfPacking):
                 sun=sun,
                 seed=seed,
                 time_budget=time_budget,
+                preview=preview,
                 noise_target=noise_target,
                 min_samples=min_samples,
                 exposure=exposure,

@@ -292,7 +292,7 @@ class PackingComponent:
         Returns
         -------
         LivePicture
-            Has the ``actor``, ``samples`` and ``finished``, and the methods ``refine`` and
+            Has ``actor``, ``samples``, ``shown`` and ``finished``, and the methods ``refine`` and
             ``close``.
 
         Raises
@@ -324,7 +324,13 @@ class PackingComponent:
             "log_scale": log_scale,
             "color": "white" if scalars is None and color is None else color,
         }
-        unknown = {"time_budget", "sky_visible", "random_colors", "progress"} & light.keys()
+        unknown = {
+            "time_budget",
+            "preview",
+            "sky_visible",
+            "random_colors",
+            "progress",
+        } & light.keys()
         if unknown:
             raise TypeError(f"{min(unknown)}: found one, expected none in a plotter")
         # Whatever is wrong is found with a single pixel.

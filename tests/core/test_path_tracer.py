@@ -209,6 +209,30 @@ def test_a_time_budget(rng):
     assert (run(tracer)[0]["samples"] >= 1).all()
 
 
+def test_a_preview(rng):
+    packing = scene(rng)
+    expected, _ = run(tracer_of(packing, 8))
+    tracer = tracer_of(packing, 8)
+    tracer.SetTimeBudget(1e-9)
+    tracer.SetPreview(True)
+    tracer.SetTileSize(8, 8)
+    arrays, traced = run(tracer)
+    samples = arrays["samples"].reshape(SIZE[::-1])
+    assert (samples[::2, ::2] == 1).all()
+    assert traced < samples.size / 2
+    color = arrays["color"].reshape(*SIZE[::-1], 4)
+    for y, x in ((0, 1), (1, 0), (1, 1)):
+        # Where a pixel has no light it shows its neighbour's.
+        none = samples[y::2, x::2] == 0
+        assert none.any()
+        assert (color[y::2, x::2][none] == color[::2, ::2][none]).all()
+    # What the middles show is there at once.
+    assert (arrays["sphere_id"] == expected["sphere_id"]).all()
+    assert (arrays["depth"] == expected["depth"]).all()
+    tracer.SetTimeBudget(0.0)
+    same(run(tracer)[0], expected)
+
+
 def test_a_noise_target(rng):
     packing = scene(rng)
 

@@ -40,6 +40,16 @@ struct vtkSpherePackingPathState
   // The sky behind the middle of a pixel.
   void SeeSky(std::int64_t pixel, float (&radiance)[3]) const;
 
+  // The pixel whose light a pixel shows: its own, or if it has none that of the lower left one of
+  // `stride` x `stride`.
+  std::int64_t ShownAt(std::int64_t pixel, int stride) const
+  {
+    const int width = this->Picture.Width;
+    return this->Picture.Samples[pixel] > 0
+      ? pixel
+      : pixel - pixel % width % stride - pixel / width % stride * width;
+  }
+
   // Samples that all pixels have together.
   double CountSamples() const;
 

@@ -46,6 +46,9 @@ unsigned NextPass(unsigned samples, bool hurry)
                                : samples / SamplesPerCheck * SamplesPerCheck + SamplesPerCheck;
 }
 
+// Of the pixels that are traced first for a preview, along both sides.
+constexpr int PreviewStride = 2;
+
 template <typename Value>
 [[noreturn]] void Refuse(const char* name, Value found, const char* expected)
 {
@@ -217,6 +220,72 @@ std::string vtkSpherePackingPathTracer::KeyOf(const vtkSpherePackingCameraRays& 
   return key.str();
 }
 
+// What the passes of a run share.
+struct vtkSpherePackingPathTracer::Passes
+{
+  spherepacking::Scene Scene;
+  vtkSpherePackingCameraRays Camera;
+  PathLight Light;
+  vtkSpherePackingPathCells Cells;
+  vtkSpherePackingTiles Tiles;
+  std::vector<double> TileSeconds;
+  Clock::time_point Start;
+  bool Stop = false;
+  bool MayBeLate = false; // there is a picture to show
+
+  double Seconds() const { return ::Seconds(Clock::now() - this->Start).count(); }
+};
+
+//------------------------------------------------------------------------------
+void vtkSpherePackingPathTracer::RunPass(Passes& run, unsigned before, unsigned samples, int stride)
+{
+  const auto wanted = static_cast<double>(this->NumberOfSamples);
+  spherepacking::PathCells cells = run.Cells.Get();
+  cells.Stride = stride;
+  run.Tiles.Run(
+    [&](const spherepacking::Tile& tile)
+    {
+      spherepacking::TracePaths(
+        run.Scene, run.Camera.Rays, run.Light, samples, cells, tile, this->State->Picture);
+    },
+    [&](double share)
+    {
+      this->UpdateProgress((before + share * (samples - before)) / wanted);
+      run.Stop = run.Stop || this->CheckAbort() ||
+        (run.MayBeLate && this->TimeBudget > 0.0 && run.Seconds() > this->TimeBudget);
+      return run.Stop;
+    });
+  for (std::size_t i = 0; i < run.TileSeconds.size(); ++i)
+  {
+    run.TileSeconds[i] += run.Tiles.ComputeSeconds[i];
+  }
+  this->State->Most = std::max(this->State->Most, samples);
+}
+
+//------------------------------------------------------------------------------
+void vtkSpherePackingPathTracer::RunPasses(Passes& run)
+{
+  const auto wanted = static_cast<unsigned>(this->NumberOfSamples);
+  const bool hurry = this->TimeBudget > 0.0;
+  if (hurry && this->Preview)
+  {
+    this->RunPass(run, 0, 1, PreviewStride);
+    run.MayBeLate = true;
+  }
+  for (unsigned samples = 0; samples < wanted && !run.Stop && run.Cells.Any();)
+  {
+    const unsigned next = std::min(wanted, NextPass(samples, hurry));
+    this->RunPass(run, samples, next, 1);
+    run.MayBeLate = true;
+    samples = next;
+    if (this->NoiseTarget > 0.0 && samples % SamplesPerCheck == 0 &&
+      samples >= static_cast<unsigned>(this->MinimumNumberOfSamples))
+    {
+      run.Cells.LeaveOut(samples, this->NoiseTarget);
+    }
+  }
+}
+
 //------------------------------------------------------------------------------
 void vtkSpherePackingPathTracer::Trace(vtkImageData* output)
 {
@@ -226,56 +295,22 @@ void vtkSpherePackingPathTracer::Trace(vtkImageData* output)
   this->SetLight(light);
   vtkSpherePackingPathState& state = *this->State;
   const int size[2] = { this->GetWindowSize()[0], this->GetWindowSize()[1] };
-  const auto wanted = static_cast<unsigned>(this->NumberOfSamples);
-  state.Begin(this->KeyOf(camera), size, wanted);
-
-  const spherepacking::Scene scene = this->Internals->Scene();
-  const Clock::time_point start = Clock::now();
+  const int tile[2] = { this->GetTileSize()[0], this->GetTileSize()[1] };
+  state.Begin(this->KeyOf(camera), size, static_cast<unsigned>(this->NumberOfSamples));
   const double before = state.CountSamples();
-  vtkSpherePackingPathCells cells(state.Picture);
-  const int tileSize[2] = { this->GetTileSize()[0], this->GetTileSize()[1] };
-  vtkSpherePackingTiles tiles(size, tileSize);
-  std::vector<double> seconds(tiles.Tiles.size(), 0.0);
-  bool stop = false;
-  for (unsigned samples = 0; samples < wanted && !stop && cells.Any();)
-  {
-    const unsigned pass = std::min(wanted, NextPass(samples, this->TimeBudget > 0.0));
-    tiles.Run(
-      [&](const spherepacking::Tile& tile)
-      {
-        spherepacking::TracePaths(
-          scene, camera.Rays, light, pass, cells.Get(), tile, state.Picture);
-      },
-      [&](double share)
-      {
-        this->UpdateProgress((samples + share * (pass - samples)) / wanted);
-        stop = stop || this->CheckAbort();
-        const bool late = this->TimeBudget > 0.0 && samples > 0 &&
-          Seconds(Clock::now() - start).count() > this->TimeBudget;
-        stop = stop || late;
-        return stop;
-      });
-    for (std::size_t i = 0; i < seconds.size(); ++i)
-    {
-      seconds[i] += tiles.ComputeSeconds[i];
-    }
-    samples = pass;
-    state.Most = std::max(state.Most, samples);
-    if (this->NoiseTarget > 0.0 && samples % SamplesPerCheck == 0 &&
-      samples >= static_cast<unsigned>(this->MinimumNumberOfSamples))
-    {
-      cells.LeaveOut(samples, this->NoiseTarget);
-    }
-  }
+  Passes run{ this->Internals->Scene(), camera, light, vtkSpherePackingPathCells(state.Picture),
+    vtkSpherePackingTiles(size, tile), {}, Clock::now() };
+  run.TileSeconds.assign(run.Tiles.Tiles.size(), 0.0);
+  this->RunPasses(run);
   // The executive would throw away what is done.
   this->SetAbortOutput(false);
   state.Rays = camera.Rays;
   state.From = light.From;
   this->Develop(state.Picture.Radiance, state.Color);
   state.Share(output);
-  vtkSpherePackingAddExtents(output, tiles.Tiles);
-  vtkSpherePackingAddField(output, "compute_seconds", seconds);
-  vtkSpherePackingAddField(output, "complete_seconds", { Seconds(Clock::now() - start).count() });
+  vtkSpherePackingAddExtents(output, run.Tiles.Tiles);
+  vtkSpherePackingAddField(output, "compute_seconds", run.TileSeconds);
+  vtkSpherePackingAddField(output, "complete_seconds", { run.Seconds() });
   vtkSpherePackingAddField(output, "build_seconds", { this->Internals->BuildSeconds });
   vtkSpherePackingAddField(output, "memory_bytes", { this->Internals->Bytes() });
   vtkSpherePackingAddField(output, "traced_samples", { state.CountSamples() - before });
@@ -309,17 +344,18 @@ void vtkSpherePackingPathTracer::Develop(const float* radiance, unsigned char* c
     {
       for (vtkIdType i = begin * picture.Width; i < end * picture.Width; ++i)
       {
-        const double coverage = this->SkyVisible ? 1.0 : picture.Coverage[i];
+        const vtkIdType from = state.ShownAt(i, PreviewStride);
+        const double coverage = this->SkyVisible ? 1.0 : picture.Coverage[from];
         float sky[3] = { 0.0f, 0.0f, 0.0f };
         if (coverage < 1.0)
         {
-          state.SeeSky(i, sky);
+          state.SeeSky(from, sky);
         }
-        const bool shown = picture.Samples[i] > 0 && coverage > 0.0;
+        const bool shown = picture.Samples[from] > 0 && coverage > 0.0;
         for (int channel = 0; channel < 3; ++channel)
         {
           // Without the sky, that of the samples that hit a sphere.
-          const double own = (radiance[3 * i + channel] - (1.0 - coverage) * sky[channel]) /
+          const double own = (radiance[3 * from + channel] - (1.0 - coverage) * sky[channel]) /
             (shown ? coverage : 1.0);
           color[4 * i + channel] = shown ? developer.Byte(own) : 0;
         }
@@ -344,6 +380,7 @@ void vtkSpherePackingPathTracer::PrintSelf(ostream& os, vtkIndent indent)
   PrintVector(os << indent << "SunRadiance: ", this->SunRadiance);
   os << indent << "SunDiameter: " << this->SunDiameter << "\n";
   os << indent << "TimeBudget: " << this->TimeBudget << "\n";
+  os << indent << "Preview: " << (this->Preview ? "On" : "Off") << "\n";
   os << indent << "NoiseTarget: " << this->NoiseTarget << "\n";
   os << indent << "Exposure: " << this->Exposure << "\n";
   os << indent << "Filmic: " << (this->Filmic ? "On" : "Off") << "\n";

@@ -123,10 +123,18 @@ public:
 
   /**
    * Seconds after which no further tile is begun, 0, the default, for as long as it takes. Every
-   * pixel has a sample at least.
+   * pixel has a sample at least, but with Preview.
    */
   vtkSetMacro(TimeBudget, double);
   vtkGetMacro(TimeBudget, double);
+
+  /**
+   * With a time budget, begin with one pixel in four, whose light `color` shows at the other three
+   * as well for as long as they have none. Off by default.
+   */
+  vtkSetMacro(Preview, bool);
+  vtkGetMacro(Preview, bool);
+  vtkBooleanMacro(Preview, bool);
 
   /**
    * Relative error at which a part of the picture, 32 x 32 pixels, gets no more samples: the root
@@ -186,6 +194,9 @@ private:
   vtkSpherePackingPathTracer(const vtkSpherePackingPathTracer&) = delete;
   void operator=(const vtkSpherePackingPathTracer&) = delete;
   void SetLight(spherepacking::PathLight& light) const;
+  struct Passes;
+  void RunPasses(Passes& run);
+  void RunPass(Passes& run, unsigned before, unsigned samples, int stride);
   std::string KeyOf(const vtkSpherePackingCameraRays& camera);
   void Develop(const float* radiance, unsigned char* color) const;
 
@@ -201,6 +212,7 @@ private:
   double SunRadiance[3] = { 0.0, 0.0, 0.0 };
   double SunDiameter = 0.53;
   double TimeBudget = 0.0;
+  bool Preview = false;
   double NoiseTarget = 0.0;
   double Exposure = 0.0;
   bool Filmic = false;

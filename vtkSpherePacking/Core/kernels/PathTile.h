@@ -56,10 +56,12 @@ struct PathCells
 
   const unsigned char* Active = nullptr; ///< row by row; all are if null
   int Columns = 0;
+  int Stride = 1; ///< of pixels, along x and y
 
   bool IsActive(int x, int y) const
   {
-    return !this->Active || this->Active[y / Side * this->Columns + x / Side];
+    return x % this->Stride == 0 && y % this->Stride == 0 &&
+      (!this->Active || this->Active[y / Side * this->Columns + x / Side]);
   }
 };
 

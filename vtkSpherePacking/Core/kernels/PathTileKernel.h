@@ -49,7 +49,8 @@ private:
     if (least == 0 && this->Samples > 0)
     {
       this->TraceThrough({ 0.5, 0.5 });
-      this->ForEachActive([this](int i, std::int64_t pixel) { this->WriteMiddle(i, pixel); });
+      this->ForEachPixel(
+        [this](int i, std::int64_t pixel, int, int) { this->WriteMiddle(i, pixel); });
     }
     for (unsigned index = least; index < this->Samples;)
     {
@@ -83,8 +84,9 @@ private:
     this->Surface.Find(this->Block, this->In, NoLight);
   }
 
+  // Calls `work` with the number of the ray, the pixel, and where that is.
   template <typename Work>
-  void ForEachActive(const Work& work)
+  void ForEachPixel(const Work& work)
   {
     for (int row = 0; row < this->Part.Height; ++row)
     {
@@ -92,12 +94,23 @@ private:
       for (int column = 0; column < this->Part.Width; ++column)
       {
         const int x = this->Part.X + column;
-        if (this->Cells.IsActive(x, y))
-        {
-          work(row * RayBlock::Side + column, static_cast<std::int64_t>(y) * this->Out.Width + x);
-        }
+        work(
+          row * RayBlock::Side + column, static_cast<std::int64_t>(y) * this->Out.Width + x, x, y);
       }
     }
+  }
+
+  template <typename Work>
+  void ForEachActive(const Work& work)
+  {
+    this->ForEachPixel(
+      [&](int i, std::int64_t pixel, int x, int y)
+      {
+        if (this->Cells.IsActive(x, y))
+        {
+          work(i, pixel);
+        }
+      });
   }
 
   void WriteMiddle(int i, std::int64_t pixel)
