@@ -38,7 +38,8 @@ def write_render(path: str | os.PathLike[str], image: pv.ImageData) -> None:
         radiance, linear), ``coverage.A``, ``denoised.R`` and so on if there is one, ``albedo.R``,
         ``normal.X``, ``Z`` (the depth), ``variance.Y``, ``samples.Y``, and
         ``sphere_id.high`` and ``sphere_id.low``, of which the id is 65536 high + low. Attributes
-        tell version, samples, seed, camera and how paths went. Other formats get ``color``.
+        tell version, samples, seed, camera and how paths went. Other formats get ``color``, without
+        its opacity where there is nothing to be seen through.
     image : pyvista.ImageData
         The picture.
 
@@ -65,7 +66,7 @@ def write_render(path: str | os.PathLike[str], image: pv.ImageData) -> None:
         )
     width, height, _ = image.dimensions
     if path.suffix.lower() != ".exr":
-        write_image(path, np.asarray(image["color"]).reshape(height, width, 4)[::-1])
+        write_image(path, opaque(np.asarray(image["color"]).reshape(height, width, 4)[::-1]))
         return
     names, columns = [], []
     for array, channels in _LAYERS.items():
@@ -77,6 +78,11 @@ def write_render(path: str | os.PathLike[str], image: pv.ImageData) -> None:
     columns.append(np.column_stack([high, low]).astype(np.float32))
     pixels = np.concatenate(columns, axis=1).reshape(height, width, -1)[::-1]
     write_channels(path, np.ascontiguousarray(pixels), names, _attributes_of(image))
+
+
+def opaque(pixels: np.ndarray) -> np.ndarray:
+    """Leave out an alpha channel that says nothing, and which some formats have no room for."""
+    return pixels[..., :3] if (pixels[..., 3] == 255).all() else pixels
 
 
 def _attributes_of(image: pv.ImageData) -> dict[str, str | float]:

@@ -64,9 +64,11 @@ class PathTracer(Caster):
         set_sky(tracer, sky)
         set_sun(tracer, sun)
         tracer.SetSeed(seed)
-        tracer.SetTimeBudget(min(limits["time_budget"] or 0.0, 1e300))
+        # None and endless are the same.
+        limits = {n: v if v is not None and v < 1e290 else 0.0 for n, v in limits.items()}
+        tracer.SetTimeBudget(limits["time_budget"])
         tracer.SetPreview(preview)
-        tracer.SetNoiseTarget(min(limits["noise_target"] or 0.0, 1e300))
+        tracer.SetNoiseTarget(limits["noise_target"])
         tracer.SetMinimumNumberOfSamples(min_samples)
         tracer.SetExposure(exposure)
         tracer.SetFilmic(filmic)
@@ -81,7 +83,7 @@ class PathTracer(Caster):
         progress: bool,
     ) -> pv.ImageData:
         """Make the picture and note what made it."""
-        if denoise:
+        if arguments.flag_of("denoise", denoise):
             check_denoiser()
         image = self.cast(packing, tile, look, progress)
         tracer = self._tracer
@@ -96,7 +98,8 @@ class PathTracer(Caster):
         fields["seed"] = [tracer.GetSeed()]
         fields["max_bounces"] = [tracer.GetMaximumNumberOfBounces()]
         fields["reflectance"] = [tracer.GetAlbedo()]
-        if denoise:
+        # A preview, of which three quarters are dark, cannot be told from a dark picture.
+        if denoise and image["samples"].all():
             image.point_data["denoised"] = denoised(image)
             colors = pv.convert_array(np.zeros((image.n_points, 4), np.uint8), name="color")
             tracer.Develop(image.GetPointData().GetArray("denoised"), colors)

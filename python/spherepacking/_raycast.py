@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import threading
+import zlib
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -59,6 +60,9 @@ class Caster:
         # When what the tracer has was last changed; checking and colouring again take as long as
         # casting rays.
         self._state: tuple[int, ...] | None = None
+        self._digest = 0  # of the radii
+        self._told = 0  # when the point data, of which they are a part, was last changed
+        self._colors: object = None
         self._look: tuple[object, ...] | None = None
 
     def prepare(
@@ -78,6 +82,7 @@ class Caster:
             cuts = arguments.count_of("cuts", cuts, least=0)
         size = arguments.size_of("window_size", window_size, most=_LARGEST_SIZE)
         camera = camera_of(camera)
+        self._notice_radii(packing)
         state = state_of(packing)
         if state is None or state != self._state:
             self._state = self._look = None
@@ -101,6 +106,20 @@ class Caster:
         tracer.SetCuts(-1 if cuts is None else cuts)
         return tracer
 
+    def _notice_radii(self, packing: pv.PolyData) -> None:
+        """Let VTK know of radii that were changed without its knowing.
+
+        As by ``packing["radius"] *= 2``, which tells the point data that an array was added.
+        """
+        state = state_of(packing)
+        told = packing.GetPointData().GetMTime()
+        if state is None or (state == self._state and told == self._told):
+            return
+        digest = zlib.crc32(np.ascontiguousarray(packing.point_data["radius"]).view(np.uint8))
+        if state == self._state and digest != self._digest:
+            packing.GetPointData().GetAbstractArray("radius").Modified()
+        self._digest, self._told = digest, packing.GetPointData().GetMTime()
+
     def cast(
         self,
         packing: pv.PolyData,
@@ -116,7 +135,7 @@ class Caster:
         key = _key_of(packing, look)
         if key is None or key != self._look:
             self._look = None
-            _set_look(tracer, packing, self.plain, **look)
+            self._colors = _set_look(tracer, packing, self._colors, self.plain, **look)
             self._look = key
         # The picture of the last time belongs to whoever asked for it.
         tracer.Modified()
@@ -172,7 +191,8 @@ def _key_of(packing: pv.PolyData, look: dict[str, object]) -> tuple[object, ...]
         look = look | {"cmap": ("table", cmap.GetMTime())}
     theme = pv.global_theme
     names = (repr(name) for name in (look, theme.cmap, theme.color, theme.nan_color))
-    return (array and array.GetMTime(), *names)
+    # That of all arrays: some changes are told to the point data alone.
+    return (array and packing.GetPointData().GetMTime(), *names)
 
 
 def _ignore(*_: object) -> None:
@@ -211,6 +231,7 @@ def camera_of(camera: object) -> object:
 def _set_look(
     tracer: vtkSpherePackingTracer,
     packing: pv.PolyData,
+    before: object,
     plain: bool,
     scalars: str | ArrayLike | None,
     rgb: bool | None,
@@ -219,8 +240,12 @@ def _set_look(
     log_scale: bool,
     color: ColorLike | None,
     random_colors: bool,
-) -> None:
-    """Colours as ``plotter.packing.add`` gives the spheres."""
+) -> object:
+    """Colours as ``plotter.packing.add`` gives the spheres.
+
+    Returns the array of the colours, which is the one from `before` if it has the same, so that
+    what depends on it need not be made anew.
+    """
     theme = pv.global_theme
     log_scale = arguments.flag_of("log_scale", log_scale)
     random_colors = arguments.flag_of("random_colors", random_colors)
@@ -233,12 +258,15 @@ def _set_look(
     tracer.SetColorArrayName("")
     tracer.SetColor(color.float_rgb)
     if found.values is None or not packing.n_points:
-        return
+        return None
     colors = _colors_of(packing, found, words | special_colours(theme, None, 1.0, None, None))
+    if before is not None and np.array_equal(*map(pv.convert_array, (before, colors))):
+        colors = before
     data = packing.copy(deep=False)
     data.GetPointData().AddArray(colors)
     tracer.SetInputData(data)
     tracer.SetColorArrayName(colors.GetName())
+    return colors
 
 
 def _colors_of(packing: pv.PolyData, scalars: Scalars, words: dict[str, object]) -> object:

@@ -17,6 +17,11 @@ if TYPE_CHECKING:
     from ._backend import vtkSpherePackingPathTracer
 
 
+_IMAGES = ("float16", "float32", "float64", "uint8", "uint16")
+# Whose square is a number in single precision.
+_MOST = 1e15
+
+
 class Sun(NamedTuple):
     """A disc in the sky that lights spheres and casts shadows, and is not seen itself.
 
@@ -74,6 +79,13 @@ def sky_of(sky: object) -> Sky:
         numeric = values.dtype.kind in "iuf"
     except ValueError:
         numeric = False
+    if numeric and values.shape in ((2,), (2, 3)):
+        return Sky(*(_radiance_of("sky", value) for value in values.tolist()))
+    if numeric and values.ndim == 3 and values.dtype not in _IMAGES:
+        raise TypeError(
+            f"sky: found an image of {values.dtype}, expected floats, or uint8 or uint16 over "
+            "their whole range"
+        )
     if numeric and values.ndim == 3 and values.shape[2] >= 3 and values.size:
         return Sky(pixels=_checked(_linear(values), "an array"))
     if numeric and values.shape in ((), (3,)):
@@ -96,10 +108,13 @@ def sun_of(sun: object) -> Sun | None:
         raise TypeError(
             f"sun: found {direction!r}, expected its direction, three numbers, or a Sun"
         ) from None
-    if not 0.0 < np.linalg.norm([x, y, z]) < np.inf:
+    largest = max(abs(x), abs(y), abs(z))
+    if not 0.0 < largest < np.inf:
         raise ValueError(f"sun: found the direction {direction!r}, expected a finite one but 0")
     return Sun(
-        (x, y, z), _radiance_of("sun", radiance), number_of("sun's diameter", diameter, 0.0, 180.0)
+        (x / largest, y / largest, z / largest),
+        _radiance_of("sun", radiance),
+        number_of("sun's diameter", diameter, 0.0, 180.0),
     )
 
 
@@ -108,10 +123,10 @@ def _radiance_of(name: str, value: object) -> tuple[float, float, float]:
         values = np.broadcast_to(np.asarray(value, dtype=float), 3)
     except (TypeError, ValueError):
         values = np.full(3, np.nan)
-    if not ((values >= 0.0) & (values <= np.finfo(np.float32).max)).all():
+    if not ((values >= 0.0) & (values <= _MOST)).all():
         raise ValueError(
-            f"{name}: found {value!r}, expected a finite number that is not negative, or three of "
-            "them for red, green and blue"
+            f"{name}: found {value!r}, expected a number from 0 to {_MOST:g}, or three of them for "
+            "red, green and blue"
         )
     return tuple(values.tolist())
 
@@ -130,11 +145,9 @@ def _linear(pixels: np.ndarray) -> np.ndarray:
 
 
 def _checked(pixels: np.ndarray, where: str) -> np.ndarray:
-    wrong = pixels[~((pixels >= 0.0) & np.isfinite(pixels))]
+    wrong = pixels[~((pixels >= 0.0) & (pixels <= _MOST))]
     if wrong.size:
-        raise ValueError(
-            f"sky: found {wrong[0]} in {where}, expected finite numbers that are not negative"
-        )
+        raise ValueError(f"sky: found {wrong[0]} in {where}, expected numbers from 0 to {_MOST:g}")
     return pixels
 
 

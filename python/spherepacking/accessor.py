@@ -310,7 +310,8 @@ class PackingAccessor(BoxesOfPacking):
             One random colour a sphere.
         denoise : bool, default: False
             Estimate the picture without noise by Open Image Denoise (extra ``denoise``), as the
-            array ``denoised`` (float32, 3, linear), and take ``color`` from it.
+            array ``denoised`` (float32, 3, linear), and take ``color`` from it, unless there are
+            pixels without a sample.
         progress : bool, default: False
             Show a progress bar. Ctrl-C stops the work with or without.
 

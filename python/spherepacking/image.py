@@ -111,7 +111,8 @@ def write_channels(
     spec.channelnames = names
     spec.z_channel = names.index("Z")
     for name, value in attributes.items():
-        spec.attribute(name, value)
+        # Integers of OpenImageIO have 32 bits and a sign.
+        spec.attribute(name, str(value) if isinstance(value, int) and value >= 2**31 else value)
     _write_whole(path, _create(path), spec, pixels)
 
 

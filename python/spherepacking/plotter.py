@@ -315,6 +315,9 @@ class PackingComponent:
         from ._live import LivePicture, check_live
         from .accessor import PackingAccessor
 
+        for picture in [p for p in self._pictures if p.abandoned]:
+            picture.close()
+            self._pictures.remove(picture)
         samples, step = check_live(self.plotter, samples, step)
         look = {
             "scalars": scalars,
@@ -407,6 +410,9 @@ class PackingComponent:
                 mapper = getattr(actor, "mapper", None) if actor.GetVisibility() else None
                 if isinstance(mapper, SpherePackingMapper) and mapper.GetErrorMessage():
                     raise RuntimeError(f"the spheres cannot be drawn: {mapper.GetErrorMessage()}")
+        for picture in self._pictures:
+            if picture.error is not None:
+                raise RuntimeError(f"the spheres cannot be traced: {picture.error}")
         write_image(filename, np.asarray(pixels))
         return pixels
 

@@ -140,6 +140,19 @@ def test_more_samples_go_on(rng):
     same(run(tracer)[0], first)
 
 
+@pytest.mark.parametrize("array", ["radiance", "samples", "sphere_id", "color"])
+def test_what_was_written_into_is_made_anew(rng, array):
+    """Even if nobody said that it was, as NumPy does not."""
+    packing = scene(rng)
+    tracer = tracer_of(packing, 5)
+    expected, _ = run(tracer)
+    values = pv.convert_array(tracer.GetOutput().GetPointData().GetArray(array))
+    values.reshape(-1)[values.size // 3] += 1
+    again, traced = run(tracer)
+    assert traced == 5 * SIZE[0] * SIZE[1]
+    same(again, expected)
+
+
 CHANGES = {
     "camera": lambda t, p: t.GetCamera().SetPosition(4, 3, 2.1),
     "seed": lambda t, p: t.SetSeed(1),

@@ -43,7 +43,14 @@ def test_defaults(spheres):
 
 def test_the_same_sky_in_other_words(spheres, tmp_path):
     expected = light(spheres, sky=0.5)
-    for sky in ((0.5, 0.5), (0.5, 0.5, 0.5), ((0.5, 0.5, 0.5), 0.5), np.full(3, 0.5)):
+    for sky in (
+        np.array([0.5, 0.5]),
+        np.full((2, 3), 0.5),
+        (0.5, 0.5),
+        (0.5, 0.5, 0.5),
+        ((0.5, 0.5, 0.5), 0.5),
+        np.full(3, 0.5),
+    ):
         assert (light(spheres, sky=sky) == expected).all()
     pixels = np.full((8, 16, 3), 0.5, np.float32)
     pixels[2, 3] = [4.0, 2.0, 1.0]
@@ -92,6 +99,46 @@ def test_colours(spheres):
         assert len(np.unique(image["albedo"], axis=0)) > 5
 
 
+def test_what_is_written_into_a_picture_is_not_kept(spheres):
+    accessor = PackingAccessor(spheres)
+    first = accessor.path_trace(VIEW, SIZE, samples=4)
+    expected = np.array(first["radiance"])
+    first["radiance"] *= 0.5
+    assert (accessor.path_trace(VIEW, SIZE, samples=4)["radiance"] == expected).all()
+
+
+@pytest.mark.parametrize("method", ["path_trace", "ray_cast"])
+def test_radii_that_are_changed_in_place(spheres, method):
+    """NumPy changes them, and PyVista says no more than that an array was added."""
+    accessor = PackingAccessor(spheres)
+    first = getattr(accessor, method)(VIEW, SIZE, samples=1)
+    spheres["radius"] *= 0.5
+    second = getattr(accessor, method)(VIEW, SIZE, samples=1)
+    expected = getattr(PackingAccessor(spheres.copy()), method)(VIEW, SIZE, samples=1)
+    assert (second["sphere_id"] != first["sphere_id"]).any()
+    assert (second["sphere_id"] == expected["sphere_id"]).all()
+    spheres["weight"] = np.arange(spheres.n_points)
+    third = getattr(accessor, method)(VIEW, SIZE, samples=1)
+    assert third.field_data["build_seconds"][0] == second.field_data["build_seconds"][0]
+
+
+def test_scalars_by_value_go_on(spheres):
+    accessor = PackingAccessor(spheres)
+    values = np.arange(spheres.n_points, dtype=float)
+    accessor.path_trace(VIEW, SIZE, samples=2, scalars=values)
+    image = accessor.path_trace(VIEW, SIZE, samples=5, scalars=values.copy())
+    assert image.field_data["traced_samples"][0] == 3 * SIZE[0] * SIZE[1]
+    image = accessor.path_trace(VIEW, SIZE, samples=5, scalars=values[::-1])
+    assert image.field_data["traced_samples"][0] == 5 * SIZE[0] * SIZE[1]
+
+
+def test_endless_limits_are_none(spheres):
+    image = spheres.packing.path_trace(
+        VIEW, SIZE, samples=2, time_budget=np.inf, noise_target=np.inf
+    )
+    assert (image["samples"] == 2).all()
+
+
 BAD = [
     ({"samples": 0}, ValueError, "samples: found 0"),
     ({"samples": 1.5}, TypeError, "samples: found 1.5"),
@@ -103,6 +150,9 @@ BAD = [
     ({"sky": "nowhere.exr"}, FileNotFoundError, "nowhere.exr: no such file"),
     ({"sky": None}, TypeError, "sky: found None"),
     ({"sky": np.full((2, 4, 3), np.nan)}, ValueError, "sky: found nan in an array"),
+    ({"sky": np.full((2, 4, 3), 255)}, TypeError, "sky: found an image of int64"),
+    ({"sky": 1e16}, ValueError, "sky: found"),
+    ({"denoise": 1}, TypeError, "denoise: found 1"),
     ({"sun": (0, 0, 0)}, ValueError, "sun: found the direction"),
     ({"sun": "up"}, TypeError, "sun: found 'up'"),
     ({"sun": Sun((0, 0, 1), -1)}, ValueError, "sun: found -1"),
@@ -191,6 +241,11 @@ def test_other_formats_hold_the_colours(spheres, tmp_path):
     spherepacking.write_render(tmp_path / "a.png", image)
     pixels = spherepacking.read_image(tmp_path / "a.png")
     np.testing.assert_array_equal(pixels[::-1].reshape(-1, 4), image["color"])
+    # Formats without opacity.
+    image = spheres.packing.path_trace(VIEW, SIZE, samples=1, seed=2**32 - 1)
+    for name in ("a.ppm", "a.hdr", "a.exr"):
+        spherepacking.write_render(tmp_path / name, image)
+        assert spherepacking.read_image(tmp_path / name).shape[:2] == SIZE[::-1]
     with pytest.raises(ValueError, match="no point array 'color'"):
         spherepacking.write_render(tmp_path / "b.exr", pv.ImageData(dimensions=(2, 2, 1)))
     with pytest.raises(ValueError, match="no picture format"):

@@ -1,5 +1,7 @@
 """``plotter.packing.path_trace``: the traced picture among what else is in the scene."""
 
+import subprocess
+import sys
 import time
 
 import numpy as np
@@ -109,6 +111,139 @@ def test_changed_radii_are_seen(scene, spheres):
     assert np.abs(found - color[:, 3:] / 255 * color[:, :3]).max() <= 1
 
 
+@pytest.mark.parametrize(
+    "change",
+    [
+        lambda plotter: plotter.camera.SetWindowCenter(0.5, 0),
+        lambda plotter: plotter.camera.SetViewShear(0.3, 0, 1),
+        lambda plotter: plotter.camera.SetUseHorizontalViewAngle(True),
+    ],
+)
+def test_whatever_the_camera_does_is_seen(scene, spheres, change):
+    scene.packing.path_trace(spheres, reset_camera=False, **WORDS)
+    first = drawn(scene)
+    change(scene)
+    found = drawn(scene)
+    assert (found != first).any()
+    color, _ = traced(spheres, scene)
+    assert np.abs(found - color[:, 3:] / 255 * color[:, :3]).max() <= 1
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        lambda mesh: mesh["height"].__setitem__(slice(None), 0.0),
+        lambda mesh: mesh.__setitem__("height", -np.array(mesh["height"])),
+        lambda mesh: mesh.__setitem__("height", np.multiply(mesh["height"], -1, mesh["height"])),
+        lambda mesh: mesh.__setitem__("radius", np.multiply(mesh["radius"], 0.5, mesh["radius"])),
+    ],
+)
+def test_changed_arrays_are_seen(scene, spheres, change):
+    spheres["height"] = np.array(spheres.points[:, 2])
+    words = WORDS | {"scalars": "height", "clim": (-1, 1)}
+    scene.packing.path_trace(spheres, reset_camera=False, show_scalar_bar=False, **words)
+    first = drawn(scene)
+    change(spheres)
+    found = drawn(scene)
+    assert (found != first).any()
+    color, _ = traced(spheres.copy(), scene, scalars="height", clim=(-1, 1))
+    assert np.abs(found - color[:, 3:] / 255 * color[:, :3]).max() <= 1
+
+
+def test_larger_screenshots(scene, spheres):
+    """VTK makes them of parts."""
+    scene.packing.path_trace(spheres, reset_camera=False, **WORDS)
+    drawn(scene)
+    found = scene.screenshot(return_img=True, scale=2)
+    assert found.shape == (240, 320, 3)
+    image = PackingAccessor(spheres).path_trace(
+        scene.camera, (320, 240), sky_visible=False, **(WORDS | {"samples": 64})
+    )
+    color = np.array(image["color"], int).reshape(240, 320, 4)[::-1]
+    expected = color[..., 3:] / 255 * color[..., :3]
+    assert np.abs(found - expected).mean() < 6
+
+
+def test_actors_that_go_take_their_picture_along(scene, spheres):
+    live = scene.packing.path_trace(spheres, reset_camera=False, **WORDS)
+    first = drawn(scene)
+    live.actor.visibility = False
+    assert (drawn(scene) == 0).all()
+    live.actor.visibility = True
+    assert (drawn(scene) == first).all()
+    live.actor.position = (0.5, 0.0, 0.0)
+    moved = drawn(scene)
+    assert (moved != first).any()
+    assert not live.shown
+    live.actor.position = (0.0, 0.0, 0.0)
+    assert (drawn(scene) == first).all()
+    scene.remove_actor(live.actor)
+    assert (drawn(scene) == 0).all()
+    again = scene.packing.path_trace(spheres, reset_camera=False, **WORDS)
+    assert (drawn(scene) == first).all()
+    scene.clear()
+    assert (drawn(scene) == 0).all()
+    assert again.abandoned
+
+
+def test_other_passes_come_and_go(scene, spheres):
+    live = scene.packing.path_trace(spheres, reset_camera=False, **WORDS)
+    first = drawn(scene)
+    scene.enable_eye_dome_lighting()
+    drawn(scene)
+    assert not live.shown
+    scene.disable_eye_dome_lighting()
+    scene.renderer.SetPass(None)
+    assert (drawn(scene) == first).all()
+    assert live.finished
+
+
+def test_a_noise_target_finishes(scene, spheres):
+    live = scene.packing.path_trace(
+        spheres, reset_camera=False, **(WORDS | {"samples": 256, "noise_target": 0.3})
+    )
+    drawn(scene)
+    assert live.finished
+    assert live.samples < 256
+
+
+def test_ctrl_c_is_no_end_of_the_process(spheres):
+    """While VTK calls Python it would be."""
+    code = """
+import os, signal, threading
+import pyvista as pv, spherepacking
+plotter = pv.Plotter(off_screen=True, window_size=(300, 200))
+live = plotter.packing.path_trace(spherepacking.apollonian(3), samples=100_000)
+threading.Timer(1.0, os.kill, (os.getpid(), signal.SIGINT)).start()
+try:
+    plotter.render_window.Render()
+    for _ in range(100_000_000):
+        pass
+except KeyboardInterrupt:
+    print("caught", live.samples)
+finally:
+    plotter.close()
+    print("closed")
+"""
+    result = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, check=False, timeout=120
+    )
+    assert result.stdout.split()[::2] == ["caught", "closed"], result.stderr
+    assert result.returncode == 0
+
+
+def test_errors_while_tracing_are_told(scene, spheres, tmp_path):
+    live = scene.packing.path_trace(
+        spheres, scalars="level", reset_camera=False, show_scalar_bar=False, **WORDS
+    )
+    drawn(scene)
+    del spheres.point_data["level"]
+    with pytest.raises(RuntimeError, match=r"the spheres cannot be traced: .*level"):
+        scene.packing.screenshot(tmp_path / "a.png")
+    assert isinstance(live.error, KeyError)
+    assert not (tmp_path / "a.png").exists()
+
+
 def test_in_a_window_it_refines_while_the_camera_rests(scene, spheres):
     live = scene.packing.path_trace(spheres, reset_camera=False, step=0.01, **WORDS)
     # As if there were someone to look at it, and a timer.
@@ -117,7 +252,8 @@ def test_in_a_window_it_refines_while_the_camera_rests(scene, spheres):
     drawn(scene)
     assert (live.samples, mapper.GetDrawn()) == (0, True)
     live._tick()
-    assert live.samples == 0, "it has just come to rest"
+    assert not live.shown, "it has just come to rest"
+    time.sleep(0.05)
     live._tick()
     assert live.shown
     assert (drawn(scene) > 0).any()
@@ -134,7 +270,7 @@ def test_in_a_window_it_refines_while_the_camera_rests(scene, spheres):
     scene.camera.azimuth += 10
     drawn(scene)
     assert (live.samples, mapper.GetDrawn()) == (0, True)
-    live._tick()
+    time.sleep(0.05)
     live._tick()
     assert live.shown
     scene.off_screen = True
@@ -144,6 +280,10 @@ def test_closing_leaves_the_spheres_to_the_mapper(scene, spheres):
     live = scene.packing.path_trace(spheres, reset_camera=False, **WORDS)
     first = drawn(scene)
     live.close()
+    live.close()
+    assert not live.shown
+    with pytest.raises(RuntimeError, match="has been closed"):
+        live.refine()
     assert scene.renderer.GetPass() is None
     second = drawn(scene)
     assert (first != second).any()

@@ -3,17 +3,22 @@
 
 #include "vtkSpherePackingPicture.h"
 
+#include "kernels/OwenSobol.h"
+
 #include "vtkDataArray.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
 #include "vtkPointData.h"
+#include "vtkSMPTools.h"
 #include "vtkTypeInt64Array.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnsignedIntArray.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -23,6 +28,40 @@ template <typename ArrayT>
 auto* ValuesOf(vtkImageData* image, const char* name)
 {
   return ArrayT::SafeDownCast(image->GetPointData()->GetArray(name))->GetPointer(0);
+}
+
+// Of bytes; changes when any of them does, but for a chance of 2^-64.
+std::uint64_t DigestOf(const char* bytes, std::size_t length)
+{
+  constexpr std::size_t part = 1 << 16;
+  std::atomic<std::uint64_t> sum{ 0 };
+  vtkSMPTools::For(0, static_cast<vtkIdType>((length + part - 1) / part), 16,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType i = first; i < last; ++i)
+      {
+        const std::size_t begin = static_cast<std::size_t>(i) * part;
+        const std::size_t end = std::min(begin + part, length);
+        std::uint64_t lanes[4] = { 1, 2, 3, static_cast<std::uint64_t>(i) };
+        for (std::size_t at = begin; at < end; at += sizeof(lanes))
+        {
+          std::uint64_t words[4] = {};
+          std::memcpy(words, bytes + at, std::min(sizeof(words), end - at));
+          for (int lane = 0; lane < 4; ++lane)
+          {
+            lanes[lane] = (lanes[lane] ^ words[lane]) * 0x9e3779b97f4a7c15u;
+            lanes[lane] ^= lanes[lane] >> 29;
+          }
+        }
+        std::uint64_t all = 0;
+        for (const std::uint64_t lane : lanes)
+        {
+          all = spherepacking::MixBits(all ^ lane);
+        }
+        sum += all;
+      }
+    });
+  return sum;
 }
 
 float Brightness(const float* color)
@@ -35,7 +74,7 @@ float Brightness(const float* color)
 void vtkSpherePackingPathState::Begin(
   const std::string& key, const int (&size)[2], unsigned samples)
 {
-  if (this->Arrays && this->Key == key && this->Most <= samples)
+  if (this->Arrays && this->Key == key && this->Most <= samples && this->Digest() == this->Shared)
   {
     vtkPointData* data = this->Arrays->GetPointData();
     for (int i = 0; i < data->GetNumberOfArrays(); ++i)
@@ -74,6 +113,21 @@ void vtkSpherePackingPathState::Begin(
 }
 
 //------------------------------------------------------------------------------
+std::uint64_t vtkSpherePackingPathState::Digest() const
+{
+  std::uint64_t digest = 0;
+  vtkPointData* data = this->Arrays->GetPointData();
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = data->GetArray(i);
+    digest = spherepacking::MixBits(digest +
+      DigestOf(static_cast<const char*>(array->GetVoidPointer(0)),
+        static_cast<std::size_t>(array->GetNumberOfValues() * array->GetDataTypeSize())));
+  }
+  return digest;
+}
+
+//------------------------------------------------------------------------------
 void vtkSpherePackingPathState::Point()
 {
   vtkImageData* image = this->Arrays;
@@ -87,8 +141,9 @@ void vtkSpherePackingPathState::Point()
 }
 
 //------------------------------------------------------------------------------
-void vtkSpherePackingPathState::Share(vtkImageData* output) const
+void vtkSpherePackingPathState::Share(vtkImageData* output)
 {
+  this->Shared = this->Digest();
   output->CopyStructure(this->Arrays);
   vtkPointData* data = this->Arrays->GetPointData();
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)

@@ -30,12 +30,12 @@ struct vtkSpherePackingPathState
   unsigned Most = 0;
 
   // Starts anew unless the key is the same, no pixel has more samples than are wanted, and the
-  // arrays are there.
+  // arrays are there and as they were when they were given away.
   void Begin(const std::string& key, const int (&size)[2], unsigned samples);
 
   // Gives the arrays to an output. They stay the state's as well; whoever still holds them when the
   // next run begins keeps them, and the state goes on with copies.
-  void Share(vtkImageData* output) const;
+  void Share(vtkImageData* output);
 
   // The sky behind the middle of a pixel.
   void SeeSky(std::int64_t pixel, float (&radiance)[3]) const;
@@ -55,8 +55,10 @@ struct vtkSpherePackingPathState
 
 private:
   void Point();
+  std::uint64_t Digest() const;
 
   vtkSmartPointer<vtkImageData> Arrays;
+  std::uint64_t Shared = 0; // digest of what was given away
 };
 
 // Which cells of a picture need more samples.

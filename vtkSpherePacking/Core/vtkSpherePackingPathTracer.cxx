@@ -21,7 +21,6 @@
 
 #include <chrono>
 #include <cmath>
-#include <limits>
 #include <sstream>
 #include <stdexcept>
 
@@ -46,6 +45,9 @@ unsigned NextPass(unsigned samples, bool hurry)
                                : samples / SamplesPerCheck * SamplesPerCheck + SamplesPerCheck;
 }
 
+// Whose square is a number in single precision.
+constexpr double MostLight = 1e15;
+
 // Of the pixels that are traced first for a preview, along both sides.
 constexpr int PreviewStride = 2;
 
@@ -69,8 +71,7 @@ void CheckColor(const char* name, const double (&color)[3])
 {
   for (const double channel : color)
   {
-    CheckRange(name, channel, 0.0, std::numeric_limits<float>::max(),
-      "three finite numbers that are not negative");
+    CheckRange(name, channel, 0.0, MostLight, "three numbers from 0 to 1e15");
   }
 }
 
@@ -94,8 +95,7 @@ std::vector<float> PixelsOf(vtkImageData* image)
       {
         const double value =
           scalars->GetComponent(static_cast<vtkIdType>(row) * width + column, channel);
-        CheckRange("sky", value, 0.0, std::numeric_limits<float>::max(),
-          "an image of finite numbers that are not negative");
+        CheckRange("sky", value, 0.0, MostLight, "an image of numbers from 0 to 1e15");
         *to++ = static_cast<float>(value);
       }
     }
@@ -184,11 +184,17 @@ void vtkSpherePackingPathTracer::SetLight(PathLight& light) const
     light.From.Top[i] = static_cast<float>(this->SkyTop[i]);
     light.From.Bottom[i] = static_cast<float>(this->SkyBottom[i]);
     light.Shining.Direction[i] = this->SunDirection[i] / length;
-    light.Shining.Radiance[i] = static_cast<float>(this->SunRadiance[i]);
   }
   // 1 - cos(a) = 2 sin(a / 2)^2, and a is half of the diameter.
   const double sine = std::sin(0.25 * vtkMath::RadiansFromDegrees(this->SunDiameter));
   light.Shining.Outside = 2.0 * sine * sine;
+  for (int i = 0; i < 3; ++i)
+  {
+    // The parts of the sun do not all stand above a surface that faces its middle: over the mean
+    // of the cosine.
+    light.Shining.Radiance[i] =
+      static_cast<float>(this->SunRadiance[i] / (1.0 - 0.5 * light.Shining.Outside));
+  }
   if (this->SkyImage)
   {
     const int* size = this->SkyImage->GetDimensions();
@@ -237,6 +243,12 @@ struct vtkSpherePackingPathTracer::Passes
 };
 
 //------------------------------------------------------------------------------
+bool vtkSpherePackingPathTracer::IsLate(const Passes& run) const
+{
+  return run.MayBeLate && this->TimeBudget > 0.0 && run.Seconds() > this->TimeBudget;
+}
+
+//------------------------------------------------------------------------------
 void vtkSpherePackingPathTracer::RunPass(Passes& run, unsigned before, unsigned samples, int stride)
 {
   const auto wanted = static_cast<double>(this->NumberOfSamples);
@@ -251,8 +263,7 @@ void vtkSpherePackingPathTracer::RunPass(Passes& run, unsigned before, unsigned 
     [&](double share)
     {
       this->UpdateProgress((before + share * (samples - before)) / wanted);
-      run.Stop = run.Stop || this->CheckAbort() ||
-        (run.MayBeLate && this->TimeBudget > 0.0 && run.Seconds() > this->TimeBudget);
+      run.Stop = run.Stop || this->CheckAbort() || this->IsLate(run);
       return run.Stop;
     });
   for (std::size_t i = 0; i < run.TileSeconds.size(); ++i)
@@ -274,6 +285,10 @@ void vtkSpherePackingPathTracer::RunPasses(Passes& run)
   }
   for (unsigned samples = 0; samples < wanted && !run.Stop && run.Cells.Any();)
   {
+    if (this->IsLate(run))
+    {
+      break;
+    }
     const unsigned next = std::min(wanted, NextPass(samples, hurry));
     this->RunPass(run, samples, next, 1);
     run.MayBeLate = true;

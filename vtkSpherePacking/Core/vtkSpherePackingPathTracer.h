@@ -23,7 +23,9 @@
  *
  * The picture depends on the seed and not on tiles, threads or the structure, to the last bit. It
  * is kept: with a larger number of samples only what is missing is traced, from whatever an abort
- * or the time budget left; so it is when nothing but exposure or the like has changed.
+ * or the time budget left; so it is when nothing but exposure or the like has changed. A picture
+ * that has been written into since is made anew. Only with a noise target does it matter where an
+ * earlier run ended.
  *
  * Field arrays are those of the superclass without `partial_seconds`, and `traced_samples`, how
  * many the last run added over all pixels. `complete_seconds` and `compute_seconds` are of the last
@@ -85,7 +87,7 @@ public:
 
   ///@{
   /**
-   * Radiance of the sky at +z and at -z, linear red, green and blue, not negative, default 1 1 1.
+   * Radiance of the sky at +z and at -z, linear red, green and blue, from 0 to 1e15, default 1 1 1.
    * In between it goes with z, the height of the direction's unit vector.
    */
   vtkSetVector3Macro(SkyTop, double);
@@ -96,8 +98,8 @@ public:
 
   /**
    * Radiance of the sky instead of that, none by default: the scalars of an image of three
-   * components, not negative, in equirectangular projection: rows from -z to +z, the middle column
-   * at +x and that at a quarter of the width at +y.
+   * components, from 0 to 1e15, in equirectangular projection: rows from -z to +z, the middle
+   * column at +x and that at a quarter of the width at +y.
    */
   void SetSkyImage(vtkImageData* image);
   vtkImageData* GetSkyImage();
@@ -110,7 +112,7 @@ public:
 
   /**
    * Radiance that the sun lends to a white surface (of albedo 1) that faces it, linear red, green
-   * and blue, not negative, default 0 0 0, without sun.
+   * and blue, from 0 to 1e15, default 0 0 0, without sun.
    */
   vtkSetVector3Macro(SunRadiance, double);
   vtkGetVector3Macro(SunRadiance, double);
@@ -196,6 +198,7 @@ private:
   void SetLight(spherepacking::PathLight& light) const;
   struct Passes;
   void RunPasses(Passes& run);
+  bool IsLate(const Passes& run) const;
   void RunPass(Passes& run, unsigned before, unsigned samples, int stride);
   std::string KeyOf(const vtkSpherePackingCameraRays& camera);
   void Develop(const float* radiance, unsigned char* color) const;

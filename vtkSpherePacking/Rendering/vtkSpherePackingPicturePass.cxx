@@ -20,6 +20,8 @@
 #include "vtkUnsignedCharArray.h"
 #include "vtk_glad.h"
 
+#include <algorithm>
+
 vtkStandardNewMacro(vtkSpherePackingPicturePass);
 
 namespace
@@ -126,6 +128,20 @@ void vtkSpherePackingPicturePass::Render(const vtkRenderState* s)
   {
     range[i] = static_cast<float>(camera->GetClippingRange()[i]);
   }
+  // Large pictures of a window are made of tiles.
+  const double* viewport = renderer->GetViewport();
+  const double* tile = window->GetTileViewport();
+  float origin[2];
+  float extent[2];
+  for (int i = 0; i < 2; ++i)
+  {
+    const double whole = viewport[i + 2] - viewport[i];
+    const double low = std::max(viewport[i], tile[i]);
+    origin[i] = static_cast<float>((low - viewport[i]) / whole);
+    extent[i] = static_cast<float>((std::min(viewport[i + 2], tile[i + 2]) - low) / whole);
+  }
+  program->SetUniform2f("partOrigin", origin);
+  program->SetUniform2f("partExtent", extent);
   program->SetUniformi("colors", this->Colors->GetTextureUnit());
   program->SetUniformi("depths", this->Depths->GetTextureUnit());
   program->SetUniform2f("clippingRange", range);

@@ -8,6 +8,8 @@
 in vec2 texCoord;
 uniform sampler2D colors; // not multiplied by alpha
 uniform sampler2D depths; // along the direction of view, infinite where nothing is hit
+uniform vec2 partOrigin; // of the picture that is drawn, from 0 to 1
+uniform vec2 partExtent;
 uniform vec2 clippingRange;
 uniform int parallelProjection;
 
@@ -19,7 +21,7 @@ float depthAt(ivec2 at, ivec2 size)
 void main()
 {
   ivec2 size = textureSize(colors, 0);
-  ivec2 at = min(ivec2(texCoord * vec2(size)), size - 1);
+  ivec2 at = min(ivec2((partOrigin + texCoord * partExtent) * vec2(size)), size - 1);
   vec4 color = texelFetch(colors, at, 0);
   if (color.a == 0.0)
   {
