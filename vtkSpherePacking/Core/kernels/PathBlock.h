@@ -160,6 +160,10 @@ private:
     {
       this->Stream.Trace<false>(this->In);
     }
+    for (int k = 0; k < active && !last; ++k)
+    {
+      __builtin_prefetch(this->In.Colors + 4 * std::max<std::int64_t>(this->Stream.Hits[k].Id, 0));
+    }
     int left = 0;
     for (int k = 0; k < active; ++k)
     {
