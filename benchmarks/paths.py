@@ -12,9 +12,9 @@ Scene: a polydisperse packing in a knotted tube seen from (3, 3, 3), 1000 x 1000
 packings"), and no more than twice the time in which Embree's best mode traces 16 million primary
 rays of the view, without any light. 50 000 spheres take no more than a tenth of fresnel's 30.4 s on
 two cores of this kind; fresnel is not on the package index, so that the error is not compared with
-its own, but with that of as many samples that are independent of each other. The arrays of a picture
-have at most 64 bytes a pixel; a picture that is still held when its tracing goes on is a copy. In a
-plotter there is a picture 0.3 s after the camera's last movement.
+its own, but with that of as many samples that are independent of each other. The arrays of a
+picture have at most 64 bytes a pixel; a picture that is still held when its tracing goes on is a
+copy. In a plotter there is a picture 0.3 s after the camera's last movement.
 """
 
 from __future__ import annotations
