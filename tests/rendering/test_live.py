@@ -212,6 +212,8 @@ def test_ctrl_c_is_no_end_of_the_process(spheres):
     code = """
 import os, signal, threading
 import pyvista as pv, spherepacking
+# Processes in the background of a shell would not hear it.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 plotter = pv.Plotter(off_screen=True, window_size=(300, 200))
 live = plotter.packing.path_trace(spherepacking.apollonian(3), samples=100_000)
 threading.Timer(1.0, os.kill, (os.getpid(), signal.SIGINT)).start()
