@@ -7,18 +7,21 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     import pyvista as pv
 
 
-def check_denoiser() -> None:
-    """Raise an ImportError that says what to install unless the library is there."""
+def denoiser() -> Callable[..., np.ndarray]:
+    """Return the library's function, or raise an ImportError that says what to install."""
     try:
-        import pyoidn  # noqa: F401
+        from pyoidn import denoise
     except (ImportError, OSError) as error:
         raise ImportError(
             f"denoise: Open Image Denoise cannot be loaded ({error}), expected the extra 'denoise':"
             " pip install 'spherepacking[denoise]'"
         ) from error
+    return denoise
 
 
 def denoised(image: pv.ImageData) -> np.ndarray:
@@ -34,12 +37,10 @@ def denoised(image: pv.ImageData) -> np.ndarray:
     numpy.ndarray
         (pixels, 3), float32, linear.
     """
-    import pyoidn
-
     width, height, _ = image.dimensions
     # The library keeps what it was given until the next time: that shall not be VTK's arrays.
     color, albedo, normal = (
         np.array(image[name], np.float32, subok=False).reshape(height, width, 3)
         for name in ("radiance", "albedo", "normal")
     )
-    return pyoidn.denoise(color, albedo, normal, hdr=True).reshape(-1, 3)
+    return denoiser()(color, albedo, normal, hdr=True).reshape(-1, 3)

@@ -8,7 +8,7 @@ import numpy as np
 import pyvista as pv
 
 from . import _arguments as arguments
-from ._denoise import check_denoiser, denoised
+from ._denoise import denoised, denoiser
 from ._raycast import Caster
 from ._sky import set_sky, set_sun, sky_of, sun_of
 
@@ -84,7 +84,7 @@ class PathTracer(Caster):
     ) -> pv.ImageData:
         """Make the picture and note what made it."""
         if arguments.flag_of("denoise", denoise):
-            check_denoiser()
+            denoiser()  # that it is missing is said before any path is traced
         image = self.cast(packing, tile, look, progress)
         tracer = self._tracer
         camera = tracer.GetCamera()

@@ -122,6 +122,13 @@ def test_radii_that_are_changed_in_place(spheres, method):
     assert third.field_data["build_seconds"][0] == second.field_data["build_seconds"][0]
 
 
+def test_radii_that_are_texts(spheres):
+    spheres["radius"] = np.full(spheres.n_points, "a")
+    for _ in range(2):
+        with pytest.raises(TypeError, match="radius: "):
+            spheres.packing.path_trace(VIEW, SIZE, samples=1)
+
+
 def test_scalars_by_value_go_on(spheres):
     accessor = PackingAccessor(spheres)
     values = np.arange(spheres.n_points, dtype=float)
@@ -258,7 +265,24 @@ def test_without_the_denoiser_it_says_so(spheres, monkeypatch):
         spheres.packing.path_trace(VIEW, SIZE, samples=1, denoise=True)
 
 
-@pytest.mark.skipif(not importlib.util.find_spec("pyoidn"), reason="no extra 'denoise'")
+needs_denoiser = pytest.mark.skipif(
+    not importlib.util.find_spec("pyoidn"),
+    reason="the extra 'denoise' is not there, as on other processors than x86-64",
+)
+
+
+@needs_denoiser
+def test_a_preview_is_not_denoised(spheres):
+    """Its pixels without light would be taken for dark ones."""
+    words = {"samples": 8, "time_budget": 1e-9, "preview": True}
+    image = PackingAccessor(spheres).path_trace(VIEW, SIZE, denoise=True, **words)
+    plain = PackingAccessor(spheres).path_trace(VIEW, SIZE, **words)
+    assert (image["samples"] == 0).any()
+    assert "denoised" not in image.point_data
+    assert (image["color"] == plain["color"]).all()
+
+
+@needs_denoiser
 def test_denoising_comes_closer():
     spheres = spherepacking.apollonian(5)
     size = (160, 120)

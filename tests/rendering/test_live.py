@@ -49,6 +49,12 @@ def traced(spheres, plotter, **words):
     return np.array(image["color"], int), np.array(image["depth"])
 
 
+def assert_shown(found, spheres, plotter, **words):
+    """Assert that pixels are those of a picture traced of the plotter's view, on black."""
+    color, _ = traced(spheres, plotter, **words)
+    assert np.abs(found - color[:, 3:] / 255 * color[:, :3]).max() <= 1
+
+
 @pytest.mark.parametrize("parallel", [False, True])
 def test_the_window_shows_the_picture(scene, spheres, parallel):
     live = scene.packing.path_trace(spheres, reset_camera=False, **WORDS)
@@ -66,8 +72,7 @@ def test_the_window_shows_the_picture(scene, spheres, parallel):
     # Another view, another picture.
     scene.camera.azimuth += 30
     found = drawn(scene)
-    color, _ = traced(spheres, scene)
-    assert np.abs(found - color[:, 3:] / 255 * color[:, :3]).max() <= 1
+    assert_shown(found, spheres, scene)
 
 
 @pytest.mark.parametrize("parallel", [False, True])
@@ -107,8 +112,7 @@ def test_changed_radii_are_seen(scene, spheres):
     spheres["radius"][:] *= 0.5
     found = drawn(scene)
     assert (found != first).any()
-    color, _ = traced(spheres, scene)
-    assert np.abs(found - color[:, 3:] / 255 * color[:, :3]).max() <= 1
+    assert_shown(found, spheres, scene)
 
 
 @pytest.mark.parametrize(
@@ -125,8 +129,7 @@ def test_whatever_the_camera_does_is_seen(scene, spheres, change):
     change(scene)
     found = drawn(scene)
     assert (found != first).any()
-    color, _ = traced(spheres, scene)
-    assert np.abs(found - color[:, 3:] / 255 * color[:, :3]).max() <= 1
+    assert_shown(found, spheres, scene)
 
 
 @pytest.mark.parametrize(
@@ -146,8 +149,7 @@ def test_changed_arrays_are_seen(scene, spheres, change):
     change(spheres)
     found = drawn(scene)
     assert (found != first).any()
-    color, _ = traced(spheres.copy(), scene, scalars="height", clim=(-1, 1))
-    assert np.abs(found - color[:, 3:] / 255 * color[:, :3]).max() <= 1
+    assert_shown(found, spheres.copy(), scene, scalars="height", clim=(-1, 1))
 
 
 def test_larger_screenshots(scene, spheres):
@@ -266,8 +268,7 @@ def test_in_a_window_it_refines_while_the_camera_rests(scene, spheres):
         live._tick()
     assert live.samples == 4
     found = drawn(scene)
-    color, _ = traced(spheres, scene)
-    assert np.abs(found - color[:, 3:] / 255 * color[:, :3]).max() <= 1
+    assert_shown(found, spheres, scene)
     # It moves: the mapper, at once.
     scene.camera.azimuth += 10
     drawn(scene)

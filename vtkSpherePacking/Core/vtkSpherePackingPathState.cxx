@@ -3,7 +3,7 @@
 
 #include "vtkSpherePackingPicture.h"
 
-#include "kernels/OwenSobol.h"
+#include "kernels/MixBits.h"
 
 #include "vtkDataArray.h"
 #include "vtkFloatArray.h"
@@ -62,11 +62,6 @@ std::uint64_t DigestOf(const char* bytes, std::size_t length)
       }
     });
   return sum;
-}
-
-float Brightness(const float* color)
-{
-  return 0.2126f * color[0] + 0.7152f * color[1] + 0.0722f * color[2];
 }
 }
 
@@ -214,7 +209,7 @@ bool vtkSpherePackingPathCells::IsDone(int column, int row, unsigned samples, do
         return false;
       }
       variance += this->Picture.Variance[pixel];
-      brightness += Brightness(this->Picture.Radiance + 3 * pixel);
+      brightness += spherepacking::Brightness(this->Picture.Radiance + 3 * pixel);
       ++number;
     }
   }

@@ -80,6 +80,13 @@ LIGHT = {"scalars": "radius", "sky": 1.0, "max_bounces": 4, "albedo": 0.8}
 PATH_SAMPLES = (1, 4, 16, 64, 256)
 
 
+def _structure_of(fields: pv.DataSetAttributes, structure: str) -> tuple[float, float]:
+    """Seconds and bytes that a picture's structure took, NaN without one."""
+    if structure == "none":
+        return np.nan, np.nan
+    return float(fields["build_seconds"][0]), float(fields["memory_bytes"][0])
+
+
 class RayCast:
     """Pictures of ``packing.packing.ray_cast``."""
 
@@ -103,9 +110,7 @@ class RayCast:
         self._image = None
         self.frame()
         fields = self._image.field_data
-        has = structure != "none"
-        self.build_seconds = float(fields["build_seconds"][0]) if has else np.nan
-        self.memory_bytes = float(fields["memory_bytes"][0]) if has else np.nan
+        self.build_seconds, self.memory_bytes = _structure_of(fields, structure)
 
     def frame(self) -> None:
         """Cast the rays."""
@@ -143,9 +148,7 @@ class PathTrace:
         self._image = None
         # The structure and a picture of the least size.
         fields = self._spheres.path_trace(window_size=(1, 1), **self._words).field_data
-        has = structure != "none"
-        self.build_seconds = float(fields["build_seconds"][0]) if has else np.nan
-        self.memory_bytes = float(fields["memory_bytes"][0]) if has else np.nan
+        self.build_seconds, self.memory_bytes = _structure_of(fields, structure)
 
     def frame(self) -> None:
         """Trace the paths, others than the last time."""

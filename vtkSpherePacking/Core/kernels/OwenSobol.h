@@ -14,6 +14,7 @@
 #ifndef OwenSobol_h
 #define OwenSobol_h
 
+#include "kernels/MixBits.h"
 #include "kernels/Simd.h"
 
 #include <array>
@@ -28,16 +29,6 @@ struct Point2
   double X;
   double Y;
 };
-
-/// Mixes bits; source: Steele, Lea and Flood, "Fast Splittable Pseudorandom Number Generators"
-/// (2014).
-inline std::uint64_t MixBits(std::uint64_t z)
-{
-  z += 0x9e3779b97f4a7c15u;
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-  return z ^ (z >> 31);
-}
 
 inline std::uint32_t ReverseBits(std::uint32_t x)
 {

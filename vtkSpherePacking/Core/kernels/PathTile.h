@@ -49,6 +49,12 @@ struct PathPicture
   unsigned* Samples;
 };
 
+/// Of linear Rec. 709 primaries, those of sRGB.
+inline float Brightness(const float* color)
+{
+  return 0.2126f * color[0] + 0.7152f * color[1] + 0.0722f * color[2];
+}
+
 /// Cells of the picture in which paths are still traced.
 struct PathCells
 {

@@ -203,12 +203,6 @@ private:
     }
   }
 
-  // Of linear Rec. 709 primaries, those of sRGB.
-  static float Brightness(const float* color)
-  {
-    return 0.2126f * color[0] + 0.7152f * color[1] + 0.0722f * color[2];
-  }
-
   // Samples whose paths are followed at the same time, so that more rays go the same way.
   static constexpr unsigned Together = RayStream::Maximum / RayBlock::Count;
   static constexpr float Nothing[3] = {};
