@@ -33,10 +33,18 @@ def number_of(name: str, value: float, low: float, high: float) -> float:
     return number
 
 
+def above_zero(name: str, value: float) -> float:
+    """`value` as a float above 0, which may be infinite, or a ValueError."""
+    try:
+        return number_of(name, value, np.finfo(float).tiny, np.inf)
+    except ValueError:
+        raise ValueError(f"{name}: found {value!r}, expected a number above 0") from None
+
+
 def count_of(name: str, value: int, least: int = 1, most: int = 2**31 - 1) -> int:
     """`value` as an integer from `least` to `most`, or a TypeError or ValueError."""
     try:
-        count = operator.index(value)
+        count = None if isinstance(value, bool) else operator.index(value)
     except TypeError:
         count = None
     if count is None or not least <= count <= most:

@@ -24,6 +24,7 @@ class PathTracer(Caster):
     tracer_class = "vtkSpherePackingPathTracer"
     label = "tracing paths"
     plain = True
+    watchful = True
 
     def set_paths(
         self,
@@ -51,7 +52,7 @@ class PathTracer(Caster):
         limits = {"time_budget": time_budget, "noise_target": noise_target}
         for name, value in limits.items():
             if value is not None:
-                limits[name] = arguments.number_of(name, value, np.finfo(float).tiny, np.inf)
+                limits[name] = arguments.above_zero(name, value)
         min_samples = arguments.count_of("min_samples", min_samples, least=2)
         exposure = arguments.number_of("exposure", exposure, -100.0, 100.0)
         preview = arguments.flag_of("preview", preview)

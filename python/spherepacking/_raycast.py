@@ -52,6 +52,8 @@ class Caster:
     label = "casting rays"
     plain = False
     """Whether spheres are white if nothing is said, instead of as the plotter draws them."""
+    watchful = False
+    """Whether to look at all centres and radii each time, since what is kept would be mixed."""
 
     def __init__(self) -> None:
         # Python code runs while the tracer works, and so may other threads.
@@ -60,7 +62,7 @@ class Caster:
         # When what the tracer has was last changed; checking and colouring again take as long as
         # casting rays.
         self._state: tuple[int, ...] | None = None
-        self._digest = 0  # of the radii
+        self._digest = (0, 0)  # of the radii and, if watchful, the centres
         self._told = 0  # when the point data, of which they are a part, was last changed
         self._colors: object = None
         self._look: tuple[object, ...] | None = None
@@ -82,7 +84,7 @@ class Caster:
             cuts = arguments.count_of("cuts", cuts, least=0)
         size = arguments.size_of("window_size", window_size, most=_LARGEST_SIZE)
         camera = camera_of(camera)
-        self._notice_radii(packing)
+        self._notice(packing)
         state = state_of(packing)
         if state is None or state != self._state:
             self._state = self._look = None
@@ -106,18 +108,27 @@ class Caster:
         tracer.SetCuts(-1 if cuts is None else cuts)
         return tracer
 
-    def _notice_radii(self, packing: pv.PolyData) -> None:
-        """Let VTK know of radii that were changed without its knowing.
+    def _notice(self, packing: pv.PolyData) -> None:
+        """Let VTK know of arrays that were changed without its knowing.
 
-        As by ``packing["radius"] *= 2``, which tells the point data that an array was added.
+        As by ``packing["radius"] *= 2``, which tells the point data that an array was added, or
+        through another view of their memory, which tells nobody.
         """
         state = state_of(packing)
         told = packing.GetPointData().GetMTime()
-        if state is None or (state == self._state and told == self._told):
+        same = state == self._state and told == self._told
+        if state is None or (same and not self.watchful):
             return
-        digest = zlib.crc32(np.ascontiguousarray(packing.point_data["radius"]).view(np.uint8))
-        if state == self._state and digest != self._digest:
-            packing.GetPointData().GetAbstractArray("radius").Modified()
+        radii = packing.GetPointData().GetAbstractArray("radius")
+        centers = packing.GetPoints().GetData()
+        digest = (
+            _digest_of(packing.point_data["radius"]),
+            _digest_of(packing.points) if self.watchful else 0,
+        )
+        if state == self._state:
+            for array, one, other in zip((radii, centers), digest, self._digest, strict=True):
+                if one != other:
+                    array.Modified()
         self._digest, self._told = digest, packing.GetPointData().GetMTime()
 
     def cast(
@@ -167,6 +178,10 @@ class Caster:
         # From the sphere, so that the point keeps its digits however far the camera is.
         radius = float(packing.point_data["radius"][sphere])
         return Pick(sphere, np.asarray(packing.points[sphere], float) + radius * normal, normal)
+
+
+def _digest_of(values: np.ndarray) -> int:
+    return zlib.crc32(np.ascontiguousarray(values).view(np.uint8))
 
 
 def state_of(packing: pv.PolyData) -> tuple[int, ...] | None:

@@ -161,7 +161,7 @@ class PackingAccessor(BoxesOfPacking):
         color : ColorLike, optional
             One colour for all spheres.
         random_colors : bool, default: False
-            One random colour a sphere.
+            One random colour a sphere, whatever `scalars` and `color` are.
         progress : bool, default: False
             Show a progress bar. Ctrl-C stops the work with or without.
 
@@ -307,7 +307,7 @@ class PackingAccessor(BoxesOfPacking):
         color : ColorLike, optional
             One colour for all spheres.
         random_colors : bool, default: False
-            One random colour a sphere.
+            One random colour a sphere, whatever `scalars` and `color` are.
         denoise : bool, default: False
             Estimate the picture without noise by Open Image Denoise (extra ``denoise``), as the
             array ``denoised`` (float32, 3, linear), and take ``color`` from it, unless there are

@@ -168,7 +168,7 @@ def render(
     sky
         Radiance of the sky with pathtrace: a number; two for the bottom and the top; red, green and
         blue; or an equirectangular image. It is seen behind the spheres, unless --background or
-        --transparent is given.
+        --transparent is given; the light in an EXR file always has it.
     sun
         Direction towards a sun with pathtrace.
     sun_radiance

@@ -107,6 +107,24 @@ def test_what_is_written_into_a_picture_is_not_kept(spheres):
     assert (accessor.path_trace(VIEW, SIZE, samples=4)["radiance"] == expected).all()
 
 
+def test_a_picture_whose_arrays_are_renamed_is_not_gone_on_with(spheres):
+    accessor = PackingAccessor(spheres)
+    accessor.path_trace(VIEW, SIZE, samples=2).rename_array("radiance", "light")
+    image = accessor.path_trace(VIEW, SIZE, samples=4)
+    assert (image["radiance"] == light(spheres)).all()
+
+
+@pytest.mark.parametrize("name", ["points", "radius"])
+def test_arrays_that_are_changed_without_a_word_to_vtk(spheres, name):
+    """Samples of two packings are never mixed."""
+    accessor = PackingAccessor(spheres)
+    accessor.path_trace(VIEW, SIZE, samples=2)
+    values = np.asarray(spheres.points if name == "points" else spheres["radius"])
+    np.multiply(values, values.dtype.type(0.5), out=values)
+    image = accessor.path_trace(VIEW, SIZE, samples=4)
+    assert (image["radiance"] == light(spheres.copy())).all()
+
+
 @pytest.mark.parametrize("method", ["path_trace", "ray_cast"])
 def test_radii_that_are_changed_in_place(spheres, method):
     """NumPy changes them, and PyVista says no more than that an array was added."""
@@ -149,6 +167,7 @@ def test_endless_limits_are_none(spheres):
 BAD = [
     ({"samples": 0}, ValueError, "samples: found 0"),
     ({"samples": 1.5}, TypeError, "samples: found 1.5"),
+    ({"samples": True}, TypeError, "samples: found True"),
     ({"max_bounces": -1}, ValueError, "max_bounces: found -1"),
     ({"albedo": 1.1}, ValueError, "albedo: found 1.1"),
     ({"albedo": np.nan}, ValueError, "albedo: found nan"),

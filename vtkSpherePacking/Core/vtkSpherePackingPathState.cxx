@@ -115,7 +115,8 @@ std::uint64_t vtkSpherePackingPathState::Digest() const
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)
   {
     vtkDataArray* array = data->GetArray(i);
-    digest = spherepacking::MixBits(digest +
+    const std::string name = array->GetName() ? array->GetName() : "";
+    digest = spherepacking::MixBits(digest + DigestOf(name.data(), name.size()) +
       DigestOf(static_cast<const char*>(array->GetVoidPointer(0)),
         static_cast<std::size_t>(array->GetNumberOfValues() * array->GetDataTypeSize())));
   }
