@@ -63,6 +63,7 @@ _rendering = _load("vtkSpherePackingRendering")
 # How a number comes back from a C++ reference.
 reference = importlib.import_module(f"{VTK_ROOT}.vtkCommonCore").reference
 vtkCamera = importlib.import_module(f"{VTK_ROOT}.vtkRenderingCore").vtkCamera
+vtkMetaballField = _core.vtkMetaballField
 vtkSpherePackingBVH = _core.vtkSpherePackingBVH
 vtkSpherePackingGrid = _core.vtkSpherePackingGrid
 vtkSpherePackingInput = _core.vtkSpherePackingInput

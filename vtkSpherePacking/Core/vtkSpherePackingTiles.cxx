@@ -1,53 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSpherePackingTiles.h"
 
-#include "vtkSpherePackingParallelFor.h"
+#include "vtkSpherePackingPieces.h"
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
-#include <condition_variable>
-#include <future>
-#include <mutex>
 
 VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 using Clock = std::chrono::steady_clock;
 using Seconds = std::chrono::duration<double>;
-
-// Tiles that are made, handed from the threads that make them to the one that reports them.
-class Finished
-{
-public:
-  void Add(std::size_t tile)
-  {
-    const std::lock_guard<std::mutex> lock(this->Mutex);
-    this->Tiles.push_back(tile);
-    this->Changed.notify_one();
-  }
-
-  void AddNoMore()
-  {
-    const std::lock_guard<std::mutex> lock(this->Mutex);
-    this->Last = true;
-    this->Changed.notify_one();
-  }
-
-  // Waits for some; none when there are no more.
-  std::vector<std::size_t> Take()
-  {
-    std::unique_lock<std::mutex> lock(this->Mutex);
-    this->Changed.wait(lock, [this] { return this->Last || !this->Tiles.empty(); });
-    return std::exchange(this->Tiles, {});
-  }
-
-private:
-  std::mutex Mutex;
-  std::condition_variable Changed;
-  std::vector<std::size_t> Tiles;
-  bool Last = false;
-};
 }
 
 //------------------------------------------------------------------------------
@@ -74,41 +37,20 @@ std::vector<spherepacking::Tile> vtkSpherePackingTiles::Run(
 {
   const Clock::time_point start = Clock::now();
   std::vector<Clock::time_point> begun(this->Tiles.size());
-  std::vector<char> made(this->Tiles.size(), 0);
-  std::atomic<bool> stop{ false };
-  Finished finished;
-  // Observers are to be called in this thread, which therefore makes no tiles.
-  const std::future<void> makers = std::async(std::launch::async,
-    [&]
+  const std::vector<char> made = vtkSpherePackingMakePieces(
+    static_cast<std::int64_t>(this->Tiles.size()),
+    [&](std::int64_t i)
     {
-      vtkSpherePackingParallelFor()(static_cast<std::int64_t>(this->Tiles.size()),
-        [&](std::int64_t i)
-        {
-          if (!stop)
-          {
-            begun[i] = Clock::now();
-            make(this->Tiles[i]);
-            this->ComputeSeconds[i] = Seconds(Clock::now() - begun[i]).count();
-            made[i] = 1;
-            finished.Add(static_cast<std::size_t>(i));
-          }
-        });
-      finished.AddNoMore();
-    });
-  std::size_t number = 0;
-  for (auto some = finished.Take(); !some.empty(); some = finished.Take())
-  {
-    for (const std::size_t i : some)
+      begun[i] = Clock::now();
+      make(this->Tiles[i]);
+      this->ComputeSeconds[i] = Seconds(Clock::now() - begun[i]).count();
+    },
+    [&](std::int64_t i, double share)
     {
-      ++number;
-      if (report(static_cast<double>(number) / static_cast<double>(this->Tiles.size())))
-      {
-        stop = true;
-      }
+      const bool stop = report(share);
       this->PartialSeconds[i] = Seconds(Clock::now() - begun[i]).count();
-    }
-  }
-  makers.wait();
+      return stop;
+    });
   this->CompleteSeconds = Seconds(Clock::now() - start).count();
   std::vector<spherepacking::Tile> left;
   for (std::size_t i = 0; i < this->Tiles.size(); ++i)

@@ -1,29 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "kernels/PathTileKernel.h"
+#include "kernels/Processor.h"
 
 #if defined(SPHEREPACKING_HAS_AVX2)
 #include "kernels/TraceTileAvx2.h"
-
-#include <cstdlib>
 #endif
 
 namespace spherepacking
 {
-namespace
-{
-bool HasAvx2()
-{
-#if defined(SPHEREPACKING_HAS_AVX2)
-  // The variable is for tests, which compare both.
-  static const bool has =
-    __builtin_cpu_supports("avx2") && !std::getenv("SPHEREPACKING_WITHOUT_AVX2");
-  return has;
-#else
-  return false;
-#endif
-}
-}
-
 //------------------------------------------------------------------------------
 void TraceTile(const Scene& scene, const CameraRays& rays, const Vector& toEye, int samples,
   const Tile& tile, const Picture& picture)

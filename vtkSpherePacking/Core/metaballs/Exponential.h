@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Exponential_h
+#define Exponential_h
+
+#include "kernels/Simd.h"
+
+#include <initializer_list>
+#include <type_traits>
+
+namespace spherepacking
+{
+inline namespace SPHEREPACKING_ISA
+{
+/// e^x to 3e-7 for x from -87 to 80, 0 below. x is not above 80.
+///
+/// A whole number of ln 2, taken off in two parts of which the first has few digits, and the Taylor
+/// series of the rest.
+/// Source: Cody and Waite, "Software Manual for the Elementary Functions" (1980).
+inline Float8 Exponential(const Float8& x)
+{
+  const Float8 least = Float8{} - 87.0f;
+  const Float8 inside = x < least ? least : x;
+  const Float8 scaled = inside * 1.44269504f;
+  const Float8 half = scaled < 0.0f ? Float8{} - 0.5f : Float8{} + 0.5f;
+  const Int8 whole = __builtin_convertvector(scaled + half, Int8);
+  const Float8 n = __builtin_convertvector(whole, Float8);
+  const Float8 r = (inside - n * 0.693359375f) + n * 2.12194440e-4f;
+  Float8 sum = Float8{} + 1.0f / 40320.0f;
+  for (const float factor :
+    { 1.0f / 5040.0f, 1.0f / 720.0f, 1.0f / 120.0f, 1.0f / 24.0f, 1.0f / 6.0f, 0.5f, 1.0f, 1.0f })
+  {
+    sum = sum * r + factor;
+  }
+  const Int8 bits = (whole + 127) << 23;
+  Float8 power;
+  std::memcpy(&power, &bits, sizeof(power));
+  return x < least ? Float8{} : sum * power;
+}
+inline double Exponential(double x)
+{
+  return std::exp(x);
+}
+}
+}
+
+#endif

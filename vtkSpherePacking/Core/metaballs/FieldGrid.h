@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef FieldGrid_h
+#define FieldGrid_h
+
+#include <cstdint>
+
+namespace spherepacking
+{
+/// Always inlined, so that nobody calls what was compiled for another processor.
+#define SPHEREPACKING_INLINE inline __attribute__((always_inline))
+
+/// The places where a field is wanted, and where its values go, x fastest.
+struct FieldGrid
+{
+  double Origin[3];
+  double Spacing[3]; ///< above 0
+  std::int64_t Dimensions[3];
+  double Scale = 1.0; ///< a length here over the same in the packing's unit
+  float* Field = nullptr;
+  float* Gradient = nullptr;         ///< three a place, or null
+  long long* Strongest = nullptr; ///< id of the sphere that adds most, or null
+
+  SPHEREPACKING_INLINE double At(int axis, std::int64_t i) const
+  {
+    return this->Origin[axis] + static_cast<double>(i) * this->Spacing[axis];
+  }
+  SPHEREPACKING_INLINE std::int64_t Place(std::int64_t x, std::int64_t y, std::int64_t z) const
+  {
+    return x + this->Dimensions[0] * (y + this->Dimensions[1] * z);
+  }
+};
+
+/// Part of the grid.
+struct FieldBlock
+{
+  std::int64_t First[3];
+  int Count[3];
+
+  SPHEREPACKING_INLINE int Places() const
+  {
+    return this->Count[0] * this->Count[1] * this->Count[2];
+  }
+};
+}
+
+#endif

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "metaballs/FieldScene.h"
+
+#include "metaballs/Blobs.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace spherepacking
+{
+namespace
+{
+double StrengthOf(BlobKind kind, double weight, double radius)
+{
+  switch (kind)
+  {
+    case BlobKind::Inverse:
+      return InverseBlob<1>::Strength(weight, radius);
+    case BlobKind::InverseSquare:
+      return InverseBlob<2>::Strength(weight, radius);
+    default:
+      return weight;
+  }
+}
+
+// Two more for each digit that is wanted: fewer make more clusters too near, more make each of them
+// slower.
+int OrderOf(double relativeError)
+{
+  const double order = std::round(2.0 - 2.0 * std::log10(relativeError));
+  return static_cast<int>(std::min(std::max(order, 2.0), static_cast<double>(MostOrder)));
+}
+
+// Rounding of single precision in what is summed one by one, and in the expansions.
+constexpr double Rounding = 2e-6;
+constexpr int Leaf = 32;
+}
+
+//------------------------------------------------------------------------------
+FieldScene PrepareField(BlobKind kind, std::vector<Charge>&& spheres, double relativeError,
+  const ParallelFor& parallelFor)
+{
+  std::vector<Charge> charges = std::move(spheres);
+  FieldScene scene;
+  scene.Kind = kind;
+  for (Charge& charge : charges)
+  {
+    scene.MostWeight = std::max(scene.MostWeight, static_cast<double>(charge.Strength));
+    charge.Strength = static_cast<float>(StrengthOf(kind, charge.Strength, charge.Radius));
+  }
+  charges.erase(std::remove_if(charges.begin(), charges.end(), [](const Charge& charge)
+                  { return !(charge.Strength > 0.0f && charge.Radius > 0.0f); }),
+    charges.end());
+  scene.Tree = BuildChargeTree(std::move(charges), Leaf);
+  const bool expanded = kind == BlobKind::Inverse || kind == BlobKind::InverseSquare;
+  scene.Error = relativeError > 0.0 ? relativeError - Rounding : 0.0;
+  if (relativeError > 0.0 && expanded)
+  {
+    const int order = OrderOf(relativeError);
+    scene.Moments = ComputeMoments(scene.Tree, order, parallelFor);
+    for (int i = 0; i <= order; ++i)
+    {
+      scene.Indices.emplace_back(i);
+    }
+    scene.Nothing.assign(MostMonomials, 0.0f);
+  }
+  return scene;
+}
+
+//------------------------------------------------------------------------------
+std::vector<FieldBlock> CutIntoBlocks(const FieldGrid& grid)
+{
+  const auto count = [&](std::int64_t side)
+  {
+    std::int64_t blocks = 1;
+    for (const std::int64_t places : grid.Dimensions)
+    {
+      blocks *= (places + side - 1) / side;
+    }
+    return blocks;
+  };
+  int side = 32;
+  while (side > 8 && count(side) < 64)
+  {
+    side /= 2;
+  }
+  std::vector<FieldBlock> blocks;
+  for (std::int64_t z = 0; z < grid.Dimensions[2]; z += side)
+  {
+    for (std::int64_t y = 0; y < grid.Dimensions[1]; y += side)
+    {
+      for (std::int64_t x = 0; x < grid.Dimensions[0]; x += side)
+      {
+        FieldBlock block{ { x, y, z }, {} };
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          block.Count[axis] = static_cast<int>(
+            std::min<std::int64_t>(side, grid.Dimensions[axis] - block.First[axis]));
+        }
+        blocks.push_back(block);
+      }
+    }
+  }
+  return blocks;
+}
+}

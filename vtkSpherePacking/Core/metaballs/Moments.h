@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Moments_h
+#define Moments_h
+
+#include "kernels/BuildBvh.h"
+#include "metaballs/Charges.h"
+#include "metaballs/FieldGrid.h"
+#include "metaballs/MultiIndex.h"
+
+namespace spherepacking
+{
+/// Of each node, sum over its charges of strength (-y)^m / m!, where y is the charge's place from
+/// the node's centre over the node's radius (over 1 if that is 0).
+struct ClusterMoments
+{
+  MultiIndex Index{ 0 };
+  std::vector<float> Values; ///< Index.Count of one node after the other
+
+  SPHEREPACKING_INLINE const float* operator[](std::int32_t node) const
+  {
+    return this->Values.data() + static_cast<std::size_t>(node) * this->Index.Count;
+  }
+};
+
+ClusterMoments ComputeMoments(const ChargeTree& tree, int order, const ParallelFor& parallelFor);
+
+/// The length that the monomials of a ball are divided by.
+SPHEREPACKING_INLINE double UnitOf(double radius)
+{
+  return radius > 0.0 ? radius : 1.0;
+}
+
+/// x^i y^j z^k / (i! j! k!) for all i + j + k <= the order.
+void Monomials(const MultiIndex& index, const double (&point)[3], double* monomials);
+}
+
+#endif

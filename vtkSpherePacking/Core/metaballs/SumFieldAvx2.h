@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SumFieldAvx2_h
+#define SumFieldAvx2_h
+
+#include "metaballs/FieldScene.h"
+
+namespace spherepacking
+{
+// For processors with AVX2 and FMA; the results differ from those without by rounding.
+void SumFieldAvx2(const FieldScene& scene, const FieldBlock& block);
+void FindStrongestAvx2(const FieldScene& scene, const FieldBlock& block);
+}
+
+#endif

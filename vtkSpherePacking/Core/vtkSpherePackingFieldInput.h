@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The spheres that a field is made of. Private to the module.
+#ifndef vtkSpherePackingFieldInput_h
+#define vtkSpherePackingFieldInput_h
+
+#include "metaballs/Charges.h"
+
+#include "vtkABINamespace.h"
+#include "vtkType.h"
+
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkDataArray;
+class vtkPolyData;
+
+class vtkSpherePackingFieldInput
+{
+public:
+  // Uses the `count` largest spheres, those of lower numbers first where they are equal, and gives
+  // each of an equal share of them one of the weights. `radii` may be null, for no spheres.
+  vtkSpherePackingFieldInput(
+    vtkPolyData* packing, vtkDataArray* radii, vtkIdType count, const std::vector<double>& weights);
+
+  // The spheres with weights for strengths, as (x - origin) scale.
+  std::vector<spherepacking::Charge> Scaled(const double (&origin)[3], double scale) const;
+
+  bool Empty() const { return this->Number == 0; }
+
+  double Centers[6]; // box of the centres
+  double Bounds[6];  // box of the spheres
+  double MostWeight = 0.0;
+
+private:
+  double WeightOf(vtkIdType rank) const;
+
+  vtkPolyData* Packing;
+  vtkDataArray* Radii;
+  std::vector<double> Weights;
+  std::vector<vtkIdType> Ranks; // from large to small; empty if all have one weight
+  vtkIdType Number = 0;
+};
+VTK_ABI_NAMESPACE_END
+
+#endif
