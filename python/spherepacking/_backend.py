@@ -71,6 +71,7 @@ vtkSpherePackingPathTracer = _core.vtkSpherePackingPathTracer
 vtkSpherePackingReader = _core.vtkSpherePackingReader
 vtkSpherePackingTracer = _core.vtkSpherePackingTracer
 vtkSpherePackingWriter = _core.vtkSpherePackingWriter
+vtkFlyingEdges3D = importlib.import_module(f"{VTK_ROOT}.vtkFiltersCore").vtkFlyingEdges3D
 vtkGlyph3DMapper = importlib.import_module(f"{VTK_ROOT}.vtkRenderingCore").vtkGlyph3DMapper
 # Stock VTK has it, cvista does not.
 vtkOpenGLSphereMapper = getattr(_opengl, "vtkOpenGLSphereMapper", None)

@@ -11,6 +11,7 @@ from pyvista.core._typing_core import BoundsTuple
 
 from . import _arguments as arguments
 from ._boxes import BoxesOfPacking
+from ._metaballs import MetaballsOfPacking
 from ._pathtrace import PathTracer
 from ._raycast import Caster, Pick
 
@@ -25,7 +26,7 @@ if TYPE_CHECKING:
 
 
 @pv.register_dataset_accessor("packing", pv.PolyData)
-class PackingAccessor(BoxesOfPacking):
+class PackingAccessor(BoxesOfPacking, MetaballsOfPacking):
     """Points as centres of spheres, the point array ``radius`` as their radii.
 
     Parameters

@@ -1,0 +1,218 @@
+"""The field of metaballs: arguments, the C++ filter, and the surface at a threshold."""
+
+from __future__ import annotations
+
+import warnings
+from typing import TYPE_CHECKING
+
+import numpy as np
+import pyvista as pv
+
+from . import _arguments as arguments
+from ._colour_map import colour_map_of, special_colours
+from ._progress import progress_bar
+from ._raycast import _colors_of
+from ._scalars import scalars_of
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from numpy.typing import ArrayLike
+
+KERNELS = ("inverse", "inverse_square", "gaussian", "wyvill")
+COLORINGS = ("blend", "strongest")
+
+
+def weights_of(weights: ArrayLike | None) -> list[float]:
+    """`weights` as numbers from 0 on, or a ValueError."""
+    if weights is None:
+        return []
+    try:
+        values = np.atleast_1d(np.asarray(weights, dtype=float))
+    except (TypeError, ValueError):
+        values = np.empty((0, 0))
+    if values.ndim != 1 or not values.size or not ((values >= 0) & (values <= 1e30)).all():
+        raise ValueError(f"weights: found {weights!r}, expected numbers from 0 to 1e30")
+    return values.tolist()
+
+
+def threshold_of(threshold: float) -> float:
+    """`threshold` as a finite number above 0, or a ValueError."""
+    value = arguments.above_zero("threshold", threshold)
+    if value == np.inf:
+        raise ValueError(f"threshold: found {threshold!r}, expected a finite number")
+    return value
+
+
+def field_filter(
+    packing: pv.PolyData,
+    *,
+    dimensions: Sequence[int] | int | None,
+    spacing: Sequence[float] | float | None,
+    bounds: Sequence[float] | None,
+    threshold: float | None,
+    kernel: str,
+    weights: ArrayLike | None,
+    count: int | None,
+    relative_error: float,
+) -> object:
+    """Make a vtkMetaballField and check what it is given."""
+    from ._backend import vtkMetaballField
+
+    if packing.n_points:
+        arguments.radii_of(packing, "radius")
+    if kernel not in KERNELS:
+        raise ValueError(f"kernel: found {kernel!r}, expected one of {', '.join(KERNELS)}")
+    algorithm = vtkMetaballField()
+    # Errors are raised, not printed.
+    for source in (algorithm, algorithm.GetExecutive()):
+        source.AddObserver("ErrorEvent", _ignore)
+    algorithm.SetInputData(packing)
+    algorithm.SetKernel(KERNELS.index(kernel))
+    if (dimensions is None) == (spacing is None):
+        raise ValueError(
+            f"dimensions: found {dimensions!r} and spacing={spacing!r}, expected one of them"
+        )
+    if dimensions is not None:
+        three = (dimensions,) * 3 if np.ndim(dimensions) == 0 else tuple(dimensions)
+        if len(three) != 3:
+            raise ValueError(f"dimensions: found {dimensions!r}, expected one or three integers")
+        algorithm.SetDimensions([arguments.count_of("dimensions", n) for n in three])
+    else:
+        three = np.broadcast_to(spacing, 3) if np.size(spacing) in (1, 3) else (np.nan,) * 3
+        algorithm.SetSpacing([arguments.above_zero("spacing", step) for step in three])
+    if bounds is not None:
+        box = np.asarray(bounds, dtype=float)
+        if box.shape != (6,) or not np.isfinite(box).all() or (box[::2] > box[1::2]).any():
+            raise ValueError(
+                f"bounds: found {bounds!r}, expected x min, x max, y min, y max, z min and z max"
+            )
+        algorithm.SetModelBounds(box)
+    if threshold is not None:
+        algorithm.SetThreshold(threshold_of(threshold))
+    numbers = weights_of(weights)
+    algorithm.SetNumberOfWeights(len(numbers))
+    for i, weight in enumerate(numbers):
+        algorithm.SetWeight(i, weight)
+    if count is not None:
+        algorithm.SetCount(arguments.count_of("count", count))
+    error = arguments.number_of("relative_error", relative_error, 0.0, 0.5)
+    if 0.0 < error < 1e-5:
+        raise ValueError(
+            f"relative_error: found {relative_error!r}, expected a number from 1e-5 to 0.5, or 0 "
+            "for sums sphere by sphere"
+        )
+    algorithm.SetRelativeError(error)
+    return algorithm
+
+
+def _ignore(*_: object) -> None:
+    pass
+
+
+def color_by(algorithm: object, packing: pv.PolyData, look: dict[str, object]) -> bool:
+    """Give the filter the colours that spheres have in a plotter; False if they are all alike."""
+    color = look["color"]
+    found = scalars_of(packing, look["scalars"], look["rgb"], active=color is None)
+    log_scale = arguments.flag_of("log_scale", look["log_scale"])
+    words = colour_map_of(found, None, look["cmap"], look["clim"], 256, False, log_scale, None)
+    arguments.color_of("color", color)
+    if found.values is None or not packing.n_points:
+        return False
+    special = special_colours(pv.global_theme, None, 1.0, None, None)
+    colors = _colors_of(packing, found, words | special)
+    data = packing.copy(deep=False)
+    data.GetPointData().AddArray(colors)
+    algorithm.SetInputData(data)
+    algorithm.SetColorArrayName(colors.GetName())
+    return True
+
+
+def colors_of(algorithm: object) -> np.ndarray:
+    """Colours (n, 3), uint8, that `color_by` gave the filter."""
+    data = algorithm.GetInputDataObject(0, 0).GetPointData()
+    return pv.convert_array(data.GetArray(algorithm.GetColorArrayName()))[:, :3]
+
+
+def run(algorithm: object, progress: bool) -> pv.ImageData:
+    """Run the filter; its message is a ValueError."""
+    delay = 0.0 if arguments.flag_of("progress", progress) else np.inf
+    with progress_bar(algorithm, "summing the field", delay=delay):
+        algorithm.Update()
+    if algorithm.GetErrorMessage():
+        raise ValueError(algorithm.GetErrorMessage())
+    image = pv.ImageData()
+    image.ShallowCopy(algorithm.GetOutput())
+    return image
+
+
+def surface_at(field: pv.ImageData, threshold: float) -> pv.PolyData:
+    """Triangles of the surface on which `field` is `threshold`, with normals and colours.
+
+    Parameters
+    ----------
+    field : pyvista.ImageData
+        Point arrays ``field`` and ``gradient``, and any others.
+    threshold : float
+        Value of the surface.
+
+    Returns
+    -------
+    pyvista.PolyData
+        Triangles that face outwards, with the point array ``Normals`` (n, 3).
+    """
+    from ._backend import vtkFlyingEdges3D
+
+    values = field["field"]
+    least, most = (values.min(), values.max()) if values.size else (0.0, 0.0)
+    surface = pv.PolyData()
+    if not least < threshold <= most:
+        side = "above" if threshold > most else "not above"
+        warnings.warn(
+            f"metaballs: the threshold {threshold:g} is {side} all values of the field, {least:g} "
+            f"to {most:g}, so the surface is empty",
+            stacklevel=4,
+        )
+    elif min(field.dimensions) > 1:
+        edges = vtkFlyingEdges3D()
+        edges.SetInputData(field)
+        edges.SetInputArrayToProcess(0, 0, 0, 0, "field")
+        edges.SetValue(0, threshold)
+        edges.ComputeNormalsOff()
+        edges.ComputeScalarsOff()
+        edges.InterpolateAttributesOn()
+        edges.Update()
+        surface.ShallowCopy(edges.GetOutput())
+    for name in ("field", "gradient"):
+        if name == "gradient" and name in surface.point_data:
+            surface.point_data["Normals"] = _normals_of(surface.point_data[name])
+            surface.point_data.active_normals_name = "Normals"
+        if name in surface.point_data:
+            del surface.point_data[name]
+    return surface
+
+
+def _normals_of(gradient: np.ndarray) -> np.ndarray:
+    """Unit vectors (n, 3) in the direction in which the field falls."""
+    # In double precision, where squares of floats neither vanish nor overflow.
+    away = -np.asarray(gradient, dtype=float)
+    length = np.linalg.norm(away, axis=1, keepdims=True)
+    return (away / np.where(length > 0.0, length, 1.0)).astype(np.float32)
+
+
+def ids_at(field: pv.ImageData, points: np.ndarray) -> np.ndarray:
+    """Values (n,) of ``strongest`` at the grid points nearest to `points` (n, 3)."""
+    steps = np.rint((points - np.array(field.origin)) / np.array(field.spacing)).astype(int)
+    nx, ny, nz = field.dimensions
+    x, y, z = np.clip(steps, 0, np.array([nx, ny, nz]) - 1).T
+    return field["strongest"][x + nx * (y + ny * z)]
+
+
+def touches_sides(field: pv.ImageData, threshold: float) -> bool:
+    """Whether the surface is cut by the sides of the grid."""
+    values = field["field"].reshape(field.dimensions[::-1])
+    return any(
+        (side >= threshold).any()
+        for axis in range(3)
+        for side in (np.take(values, 0, axis), np.take(values, -1, axis))
+    )
