@@ -67,7 +67,7 @@ class MetaballsOfPacking:
             Use this many of the largest spheres.
         relative_error : float, default: 1e-3
             Bound on the relative error of the field, from 1e-5 to 0.5, or 0 to sum sphere by
-            sphere, with an error of about 1e-6. To the last two kernels' bound 1e-6 times the
+            sphere, with an error below 5e-6. To the last two kernels' bound 1e-6 times the
             largest weight is added.
         bounds : sequence of float, optional
             Box of the grid, x min, x max, y min, … By default a tenth of the packing's longest side

@@ -125,7 +125,7 @@ public:
 
   /**
    * Relative error that the field may have, from 1e-5 to 0.5, default 1e-3, or 0 for sums charge by
-   * charge, whose error is about 1e-6. Other numbers are an error when the filter runs.
+   * charge, whose error is below 5e-6. Other numbers are an error when the filter runs.
    */
   vtkSetMacro(RelativeError, double);
   vtkGetMacro(RelativeError, double);

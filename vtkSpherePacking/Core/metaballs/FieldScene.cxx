@@ -31,8 +31,8 @@ int OrderOf(double relativeError)
   return static_cast<int>(std::min(std::max(order, 2.0), static_cast<double>(MostOrder)));
 }
 
-// Rounding of single precision in what is summed one by one, and in the expansions.
-constexpr double Rounding = 2e-6;
+// What rounding in single precision adds at most: that of sums (see BlockSum.h), and of the kernels.
+constexpr double Rounding = 5e-6;
 constexpr int Leaf = 32;
 }
 
