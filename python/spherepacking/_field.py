@@ -36,6 +36,13 @@ def weights_of(weights: ArrayLike | None) -> list[float]:
     return values.tolist()
 
 
+def coloring_of(coloring: str | None) -> str | None:
+    """`coloring` as one of COLORINGS or None, or a ValueError."""
+    if coloring is not None and coloring not in COLORINGS:
+        raise ValueError(f"coloring: found {coloring!r}, expected one of {', '.join(COLORINGS)}")
+    return coloring
+
+
 def threshold_of(threshold: float) -> float:
     """`threshold` as a finite number above 0, or a ValueError."""
     value = arguments.above_zero("threshold", threshold)
@@ -134,6 +141,46 @@ def colors_of(algorithm: object) -> np.ndarray:
     return pv.convert_array(data.GetArray(algorithm.GetColorArrayName()))[:, :3]
 
 
+def surface_field(
+    packing: pv.PolyData,
+    threshold: float,
+    coloring: str | None,
+    look: dict[str, object],
+    words: dict[str, object],
+    progress: bool,
+) -> tuple[pv.ImageData, np.ndarray | None]:
+    """Sum what a surface and its colours need.
+
+    Parameters
+    ----------
+    packing : pyvista.PolyData
+        Centres (n, 3) and point array ``radius`` (n,).
+    threshold : float
+        Value of the surface that is to close inside, unless there are bounds.
+    coloring : {"blend", "strongest"}, optional
+        Where the colours come from.
+    look : dict
+        What the spheres are coloured by.
+    words : dict
+        Other arguments of `field_filter`.
+    progress : bool
+        Show a progress bar.
+
+    Returns
+    -------
+    tuple[pyvista.ImageData, numpy.ndarray or None]
+        The field, and the colours (n, 3) of the spheres if they differ and are asked for.
+    """
+    algorithm = field_filter(packing, threshold=threshold, **words)
+    algorithm.ComputeGradientOn()
+    algorithm.SetComputeStrongest(coloring == "strongest")
+    colored = color_by(algorithm, packing, look) and coloring is not None
+    colors = colors_of(algorithm) if colored else None
+    if coloring != "blend":
+        algorithm.SetColorArrayName("")
+    return run(algorithm, progress), colors
+
+
 def run(algorithm: object, progress: bool) -> pv.ImageData:
     """Run the filter; its message is a ValueError."""
     delay = 0.0 if arguments.flag_of("progress", progress) else np.inf
@@ -159,7 +206,8 @@ def surface_at(field: pv.ImageData, threshold: float) -> pv.PolyData:
     Returns
     -------
     pyvista.PolyData
-        Triangles that face outwards, with the point array ``Normals`` (n, 3).
+        Triangles that face outwards, with the point arrays ``Normals`` (n, 3), from ``gradient``,
+        and ``color`` (n, 3), from ``blend``.
     """
     from ._backend import vtkFlyingEdges3D
 
@@ -174,6 +222,10 @@ def surface_at(field: pv.ImageData, threshold: float) -> pv.PolyData:
             stacklevel=4,
         )
     elif min(field.dimensions) > 1:
+        if "blend" in field.point_data:
+            # Between small integers the filter's interpolation overflows.
+            field = field.copy(deep=False)
+            field.point_data["blend"] = field.point_data["blend"].astype(np.float32)
         edges = vtkFlyingEdges3D()
         edges.SetInputData(field)
         edges.SetInputArrayToProcess(0, 0, 0, 0, "field")
@@ -183,12 +235,14 @@ def surface_at(field: pv.ImageData, threshold: float) -> pv.PolyData:
         edges.InterpolateAttributesOn()
         edges.Update()
         surface.ShallowCopy(edges.GetOutput())
-    for name in ("field", "gradient"):
-        if name == "gradient" and name in surface.point_data:
-            surface.point_data["Normals"] = _normals_of(surface.point_data[name])
-            surface.point_data.active_normals_name = "Normals"
-        if name in surface.point_data:
-            del surface.point_data[name]
+    data = surface.point_data
+    if "gradient" in data:
+        data["Normals"] = _normals_of(data["gradient"])
+        data.active_normals_name = "Normals"
+    if "blend" in data:
+        data["color"] = np.round(data["blend"]).astype(np.uint8)
+    for name in {"field", "gradient", "blend", "strongest"} & set(data.keys()):
+        del data[name]
     return surface
 
 

@@ -250,22 +250,7 @@ class MetaballsOfPacking:
         True
         """
         threshold = _field.threshold_of(threshold)
-        if coloring is not None and coloring not in _field.COLORINGS:
-            raise ValueError(
-                f"coloring: found {coloring!r}, expected one of {', '.join(_field.COLORINGS)}"
-            )
-        algorithm = _field.field_filter(
-            self._packing,
-            dimensions=128 if dimensions is None and spacing is None else dimensions,
-            spacing=spacing,
-            bounds=bounds,
-            threshold=threshold,
-            kernel=kernel,
-            weights=weights,
-            count=count,
-            relative_error=relative_error,
-        )
-        algorithm.ComputeGradientOn()
+        coloring = _field.coloring_of(coloring)
         look = {
             "scalars": scalars,
             "rgb": rgb,
@@ -274,12 +259,18 @@ class MetaballsOfPacking:
             "log_scale": log_scale,
             "color": color,
         }
-        colored = _field.color_by(algorithm, self._packing, look) and coloring is not None
-        colors = _field.colors_of(algorithm) if colored else None
-        algorithm.SetComputeStrongest(coloring == "strongest")
-        if coloring != "blend":
-            algorithm.SetColorArrayName("")
-        field = _field.run(algorithm, progress)
+        words = {
+            "dimensions": 128 if dimensions is None and spacing is None else dimensions,
+            "spacing": spacing,
+            "bounds": bounds,
+            "kernel": kernel,
+            "weights": weights,
+            "count": count,
+            "relative_error": relative_error,
+        }
+        field, colors = _field.surface_field(
+            self._packing, threshold, coloring, look, words, progress
+        )
         return colored_surface(field, threshold, coloring, colors)
 
 
@@ -311,11 +302,6 @@ def colored_surface(
         data["sphere_id"] = ids
         if colors is not None:
             data["color"] = colors[ids]
-    elif "blend" in data:
-        data["color"] = data["blend"]
-    for name in ("blend", "strongest"):
-        if name in data:
-            del data[name]
     if "color" in data:
         data.active_scalars_name = "color"
     return surface

@@ -9,6 +9,7 @@ import pyvista as pv
 
 from . import _arguments as arguments
 from ._colour_map import colour_map_of, special_colours, widened
+from ._metaball_component import MetaballsOfPlotter
 from ._scalar_bar import scalar_bar_of
 from ._scalars import opacity_of, scalars_of
 
@@ -26,7 +27,7 @@ if TYPE_CHECKING:
 
 
 @pv.register_plotter_component("packing")
-class PackingComponent:
+class PackingComponent(MetaballsOfPlotter):
     """Adds sphere packings to a plotter; every plotter has one as ``plotter.packing``.
 
     Parameters

@@ -1,0 +1,163 @@
+"""Metaballs in a plotter, which follow changes of their threshold, weights and count."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+import pyvista as pv
+
+from . import _field
+from ._metaballs import colored_surface
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+
+class Metaballs:
+    """What ``plotter.packing.add_metaballs`` returns: an actor and what its surface is made of.
+
+    Set :attr:`threshold`, :attr:`weights` or :attr:`count`, and the next rendering shows the new
+    surface. A new threshold needs no new field unless the surface grows out of the grid; new
+    weights need none either from the second time on that there are as many of them, since the field
+    is linear in them: the fields of the ranges of spheres are kept.
+
+    Parameters
+    ----------
+    packing : pyvista.PolyData
+        Centres (n, 3) and point array ``radius`` (n,).
+    threshold : float
+        Value of the surface.
+    coloring : {"blend", "strongest"}, optional
+        Where the colours come from.
+    look : dict
+        What the spheres are coloured by, as in ``packing.packing.metaballs``.
+    words : dict
+        Other arguments of ``packing.packing.metaballs``.
+    """
+
+    def __init__(
+        self,
+        packing: pv.PolyData,
+        threshold: float,
+        coloring: str | None,
+        look: dict[str, object],
+        words: dict[str, object],
+    ) -> None:
+        self.actor: pv.Actor | None = None
+        self.surface = pv.PolyData()
+        """The triangles that are shown, see ``packing.packing.metaballs``."""
+        self.sums = 0
+        """How many fields have been summed, each over the whole grid."""
+        self._packing = packing
+        self._coloring = _field.coloring_of(coloring)
+        self._look, self._words = look, dict(words)
+        self._threshold = _field.threshold_of(threshold)
+        self._colors: np.ndarray | None = None
+        self._field: pv.ImageData | None = None
+        self._ranges: list[pv.ImageData] = []
+        self._fit()
+
+    @property
+    def threshold(self) -> float:
+        """Value of the surface, above 0."""
+        return self._threshold
+
+    @threshold.setter
+    def threshold(self, threshold: float) -> None:
+        before = self._threshold
+        self._threshold = _field.threshold_of(threshold)
+        try:
+            if self._escapes():
+                self._fit()
+            else:
+                self._contour()
+        except BaseException:
+            self._threshold = before
+            raise
+
+    @property
+    def count(self) -> int | None:
+        """How many of the largest spheres are used; None for all."""
+        return self._words["count"]
+
+    @count.setter
+    def count(self, count: int | None) -> None:
+        self._change("count", count)
+
+    @property
+    def weights(self) -> tuple[float, ...]:
+        """Weights of the ranges of spheres, from the largest to the smallest; empty for 1."""
+        return tuple(_field.weights_of(self._words["weights"]))
+
+    @weights.setter
+    def weights(self, weights: ArrayLike | None) -> None:
+        numbers = _field.weights_of(weights)
+        before = self._words["weights"]
+        self._words["weights"] = weights
+        try:
+            if self._coloring == "strongest" or not numbers:
+                self._fit()
+                return
+            if len(self._ranges) != len(numbers):
+                self._ranges = [self._sum(np.eye(len(numbers))[i], True) for i in range(len(numbers))]
+            self._field = _mixed(self._ranges, numbers)
+            if self._escapes():
+                self._fit()
+            else:
+                self._contour()
+        except BaseException:
+            self._words["weights"] = before
+            raise
+
+    def _change(self, name: str, value: object) -> None:
+        before = self._words[name]
+        self._words[name] = value
+        try:
+            self._fit()
+        except BaseException:
+            self._words[name] = before
+            raise
+
+    def _escapes(self) -> bool:
+        """Whether the surface has grown out of a grid that was to hold it."""
+        return self._words["bounds"] is None and _field.touches_sides(self._field, self._threshold)
+
+    def _fit(self) -> None:
+        """Make the field anew, on a grid that holds the surface."""
+        self._field = self._sum(self._words["weights"], False)
+        self._ranges = []
+        self._contour()
+
+    def _sum(self, weights: ArrayLike | None, same_grid: bool) -> pv.ImageData:
+        words = self._words | {"weights": weights}
+        if same_grid:
+            words |= {"bounds": self._field.bounds, "dimensions": self._field.dimensions}
+            words["spacing"] = None
+        field, self._colors = _field.surface_field(
+            self._packing, self._threshold, self._coloring, self._look, words, False
+        )
+        self.sums += 1
+        return field
+
+    def _contour(self) -> None:
+        made = colored_surface(self._field, self._threshold, self._coloring, self._colors)
+        # The mapper of the actor keeps this one.
+        self.surface.copy_from(made)
+
+
+def _mixed(ranges: list[pv.ImageData], weights: list[float]) -> pv.ImageData:
+    """Field, gradient and blend of all ranges, each times its weight."""
+    field = pv.ImageData()
+    field.CopyStructure(ranges[0])
+    whole = sum(w * part["field"] for w, part in zip(weights, ranges, strict=True))
+    field["gradient"] = sum(w * part["gradient"] for w, part in zip(weights, ranges, strict=True))
+    if "blend" in ranges[0].point_data:
+        parts = (
+            (w * part["field"])[:, None] * part["blend"]
+            for w, part in zip(weights, ranges, strict=True)
+        )
+        mean = sum(parts) / np.where(whole > 0, whole, 1)[:, None]
+        field["blend"] = np.round(mean).astype(np.uint8)
+    field["field"] = whole
+    return field
