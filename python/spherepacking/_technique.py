@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+import warnings
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -50,6 +51,41 @@ def add_boxes(
     corners = pv.PolyData(np.asarray(lines.points))
     corners["radius"] = np.zeros(corners.n_points)
     return corners
+
+
+def add_metaballs(
+    plotter: pv.Plotter, packing: pv.PolyData, words: dict[str, object]
+) -> pv.PolyData:
+    """Add the surface of metaballs to the scene.
+
+    Parameters
+    ----------
+    plotter : pyvista.Plotter
+        Scene to add to.
+    packing : pyvista.PolyData
+        Centres (n, 3) and point array ``radius`` (n,).
+    words : dict
+        Arguments of ``plotter.packing.add_metaballs``.
+
+    Returns
+    -------
+    pyvista.PolyData
+        What the picture has to show: the surface's points, as spheres of radius 0.
+
+    Raises
+    ------
+    ValueError
+        If there is no surface.
+    """
+    with warnings.catch_warnings():
+        warnings.filterwarnings("error", "metaballs: ", UserWarning)
+        try:
+            balls = plotter.packing.add_metaballs(packing, **words)
+        except UserWarning as empty:
+            raise ValueError(f"--threshold: {empty}") from None
+    points = pv.PolyData(np.asarray(balls.surface.points))
+    points["radius"] = np.zeros(points.n_points)
+    return points
 
 
 def save_ray_cast(

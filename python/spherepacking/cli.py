@@ -12,7 +12,8 @@ from typing import Annotated, Literal
 from cyclopts import App, CycloptsError, Parameter
 
 Vector = tuple[float, float, float]
-Technique = Literal["opengl", "raycast", "pathtrace", "bvh", "grid"]
+Technique = Literal["opengl", "raycast", "pathtrace", "metaballs", "bvh", "grid"]
+Kernel = Literal["inverse", "inverse_square", "gaussian", "wyvill"]
 Output = Annotated[Path, Parameter(alias="-o")]
 
 # In the middle at the bottom. With four labels, none of them is below the title and touches it.
@@ -104,6 +105,11 @@ def render(
     exposure: float = 0.0,
     filmic: bool = False,
     denoise: bool = False,
+    threshold: float = 1.0,
+    kernel: Kernel = "inverse",
+    weights: Annotated[list[float] | None, Parameter(consume_multiple=True, negative=())] = None,
+    count: int | None = None,
+    dimensions: int = 128,
 ) -> None:
     """Draw a packing and save the picture.
 
@@ -150,8 +156,9 @@ def render(
         filter over the picture.
     technique
         opengl draws as in a window; raycast casts rays on the processor, lit from the camera, and
-        pathtrace follows paths of light to a sky and a sun, both without a scalar bar; bvh and grid
-        draw the boxes of these structures around the spheres.
+        pathtrace follows paths of light to a sky and a sun, both without a scalar bar; metaballs
+        draws the surface on which what all spheres add has a value; bvh and grid draw the boxes of
+        these structures around the spheres.
     structure
         How raycast and pathtrace find spheres; it makes a difference to the time only.
     samples
@@ -187,13 +194,24 @@ def render(
         A filmic curve with pathtrace instead of cutting light off at white.
     denoise
         Take the noise out of what pathtrace made, by Open Image Denoise.
+    threshold
+        Value of the surface of metaballs; at 1 a sphere alone is its own surface.
+    kernel
+        What a sphere of radius r adds at the distance d with metaballs: r / d, its square, a
+        Gaussian, or Wyvill's polynomial, which ends at 2 r.
+    weights
+        Weights with metaballs, each for an equal share of the spheres from large to small.
+    count
+        Use this many of the largest spheres with metaballs.
+    dimensions
+        Points of the grid along each axis with metaballs.
     """
     from ._offscreen import choose_window
 
     choose_window()
     _load(drawing=True)
 
-    from ._technique import add_boxes, light_of, save_path_trace, save_ray_cast
+    from ._technique import add_boxes, add_metaballs, light_of, save_path_trace, save_ray_cast
     from ._view import aim, check_extent, fit
     from .image import check_output
 
@@ -212,16 +230,17 @@ def render(
         _set_background(plotter, background)
         _set_quality(plotter, opacity, anti_aliasing)
         look = _look(plotter, spheres, scalars, cmap, clim, log_scale, color)
-        plotter.packing.add(
-            spheres,
-            **look,
-            opacity=opacity,
-            show_scalar_bar=scalar_bar and not cast,
-            scalar_bar_args=_BAR,
-            specular=0.3,
-            specular_power=20.0,
-        )
+        shine = {"opacity": opacity, "specular": 0.3, "specular_power": 20.0}
         shown = spheres
+        if technique == "metaballs":
+            words = {"threshold": threshold, "kernel": kernel, "weights": weights}
+            words |= {"count": count, "dimensions": dimensions}
+            shown = add_metaballs(plotter, spheres, words | look | shine)
+        else:
+            bar = scalar_bar and not cast
+            plotter.packing.add(
+                spheres, **look, **shine, show_scalar_bar=bar, scalar_bar_args=_BAR
+            )
         if technique in ("bvh", "grid"):
             shown = add_boxes(plotter, spheres, technique, boxes, cuts)
         aim(plotter.camera, camera, focal, up)
