@@ -100,7 +100,9 @@ class Metaballs:
                 self._fit()
                 return
             if len(self._ranges) != len(numbers):
-                self._ranges = [self._sum(np.eye(len(numbers))[i], True) for i in range(len(numbers))]
+                self._ranges = [
+                    self._sum(np.eye(len(numbers))[i], True) for i in range(len(numbers))
+                ]
             self._field = _mixed(self._ranges, numbers)
             if self._escapes():
                 self._fit()

@@ -238,9 +238,7 @@ def render(
             shown = add_metaballs(plotter, spheres, words | look | shine)
         else:
             bar = scalar_bar and not cast
-            plotter.packing.add(
-                spheres, **look, **shine, show_scalar_bar=bar, scalar_bar_args=_BAR
-            )
+            plotter.packing.add(spheres, **look, **shine, show_scalar_bar=bar, scalar_bar_args=_BAR)
         if technique in ("bvh", "grid"):
             shown = add_boxes(plotter, spheres, technique, boxes, cuts)
         aim(plotter.camera, camera, focal, up)
@@ -424,15 +422,15 @@ def bench(
     """Measure speed beside error on this machine, of this package and of others that are there.
 
     Every technique makes pictures of polydisperse packings in a knotted tube, seen from (3, 3, 3);
-    they take turns. What it shows is compared with float64 rays. Ctrl-C keeps the counts that are
-    done.
+    they take turns. What it shows is compared with float64 rays. Fields of metaballs are compared
+    with float64 sums. Ctrl-C keeps the counts that are done.
 
     Parameters
     ----------
     counts
         Numbers of spheres, each from 100 on.
     only
-        Measure techniques with one of these words in their name alone: ray, opengl, vtk, ...
+        Measure techniques with one of these words in their name alone: ray, opengl, metaballs, ...
     size
         Width and height of the pictures in pixels.
     turns
@@ -441,7 +439,7 @@ def bench(
         Seconds that a technique may take for its pictures of one packing; the first picture of the
         smallest packing is always made.
     csv
-        File to write all numbers to.
+        File to write all numbers to; those of metaballs go to one whose name ends in _metaballs.
     png
         Picture to write the charts to.
     """

@@ -7,7 +7,7 @@ import itertools
 import pytest
 import spherepacking
 from spherepacking import cli
-from spherepacking.bench import command
+from spherepacking.bench import command, fields
 
 
 def bench(tmp_path, *arguments):
@@ -81,7 +81,7 @@ def test_what_is_done_is_kept(tmp_path, monkeypatch, capsys):
     ("words", "message"),
     [
         (["--counts", 99], "--counts: found [99], expected numbers from 100"),
-        (["--only", "metaballs"], "--only: found 'metaballs', expected a part of: OpenGL;"),
+        (["--only", "fluid"], "--only: found 'fluid', expected a part of: OpenGL;"),
         (["--turns", 0], "--turns: found 0, expected 1 or more"),
         (["--limit", "nan"], "--limit: found nan, expected a finite number of seconds"),
         (["--size", 0, 5], "--size: found 0 5, expected numbers of pixels"),
@@ -96,3 +96,19 @@ def test_bad_arguments(tmp_path, monkeypatch, capsys, words, message):
     assert message in said
     assert len(said.splitlines()) == 1
     assert list(tmp_path.iterdir()) == []
+
+
+def test_metaballs_have_rows_of_their_own(tmp_path, capsys, monkeypatch):
+    monkeypatch.setattr(fields, "GRIDS", (16, 48))
+    assert bench(tmp_path, "--counts", 300, "--turns", 1, "--only", "metaballs") == 0
+    assert "Metaballs" in capsys.readouterr().out
+    with (tmp_path / "b_metaballs.csv").open(newline="") as file:
+        rows = list(csv.DictReader(file))
+    assert not (tmp_path / "b.csv").exists()
+    found = [row for row in rows if row["what"] == "field"]
+    assert [float(row["relative_error"]) for row in found] == list(fields.TOLERANCES)
+    for row in found:
+        assert float(row["field_error"]) <= max(float(row["relative_error"]), 1e-5)
+    coarse, fine = (row for row in rows if row["what"] == "surface")
+    # In lengths; the numbers are in spacings.
+    assert float(fine["distance"]) * 16 < float(coarse["distance"]) * 48

@@ -237,7 +237,9 @@ def test_weights_from_large_to_small(weights, rng):
     np.testing.assert_allclose(image["field"][::999], expected, rtol=1e-3)
 
 
-@pytest.mark.parametrize("dimensions", [(1, 1, 1), (2, 1, 3), (1, 1, 700), (700, 1, 1), (9, 17, 33)])
+@pytest.mark.parametrize(
+    "dimensions", [(1, 1, 1), (2, 1, 3), (1, 1, 700), (700, 1, 1), (9, 17, 33)]
+)
 def test_grids_of_any_shape(dimensions, rng):
     packing = spread(rng, 2000)
     image = field_of(packing, dimensions=dimensions)
@@ -368,7 +370,11 @@ def test_any_processor_and_number_of_threads(tmp_path):
         ({}, {"VTK_SMP_MAX_THREADS": "1"}, {"SPHEREPACKING_WITHOUT_AVX2": "1"})
     ):
         path = tmp_path / f"{i}.npy"
-        env = os.environ | words | {"PYTHONPATH": os.pathsep.join([os.path.dirname(__file__), *sys.path])}
+        env = (
+            os.environ
+            | words
+            | {"PYTHONPATH": os.pathsep.join([os.path.dirname(__file__), *sys.path])}
+        )
         subprocess.run([sys.executable, "-c", SAME, path], check=True, env=env)
         results.append(np.load(path))
     assert (results[0] == results[1]).all()

@@ -9,6 +9,7 @@ from rich.console import Console
 
 from .._replace import check_replaceable, replace_file
 from ..image import check_output
+from . import fields
 from .chart import write_chart
 from .measure import measure
 from .table import csv_of, table_of
@@ -22,8 +23,8 @@ if TYPE_CHECKING:
     from .techniques import Technique
 
 
-def chosen(only: Sequence[str] | None) -> list[Technique]:
-    """Return the techniques that are there and have one of the words in their name.
+def chosen(only: Sequence[str] | None) -> tuple[list[Technique], list[str]]:
+    """Return the techniques, and the labels of metaballs, that have one of the words in their name.
 
     Raises
     ------
@@ -32,12 +33,16 @@ def chosen(only: Sequence[str] | None) -> list[Technique]:
     """
     there = everything()
     if not only:
-        return there
-    labels = [technique.label for technique in there]
+        return there, list(fields.LABELS)
+    labels = [*(technique.label for technique in there), *fields.LABELS]
     for word in only:
         if not any(word.lower() in label.lower() for label in labels):
             raise ValueError(f"--only: found {word!r}, expected a part of: {'; '.join(labels)}")
-    return [t for t in there if any(word.lower() in t.label.lower() for word in only)]
+
+    def named(label: str) -> bool:
+        return any(word.lower() in label.lower() for word in only)
+
+    return [t for t in there if named(t.label)], [label for label in fields.LABELS if named(label)]
 
 
 def _check(counts: Sequence[int], size: tuple[int, int], turns: int, limit: float) -> None:
@@ -79,21 +84,32 @@ def run(
     _check(counts, size, turns, limit)
     check_output(png)
     check_replaceable(csv)
-    techniques = chosen(only)
+    techniques, labels = chosen(only)
+    balls_csv = csv.with_stem(f"{csv.stem}_metaballs")
+    check_replaceable(balls_csv)
     rows: list[Row] = []
+    balls: list[fields.FieldRow] = []
+    counts = sorted(set(counts))
     stopped = None
     with Console(stderr=True).status("starting") as status:
         try:
-            for more in measure(techniques, sorted(set(counts)), size, turns, limit, status.update):
+            for row in fields.measure(counts, labels, turns, limit, status.update):
+                balls.append(row)
+                replace_file(balls_csv, fields.csv_of(balls))
+            seen = counts if techniques else []
+            for more in measure(techniques, seen, size, turns, limit, status.update):
                 rows += more
                 # Kept, whatever comes after.
                 replace_file(csv, csv_of(rows))
         except KeyboardInterrupt as error:
             stopped = error
+    # Wide enough for all columns, also where the output is no terminal.
+    console = Console(width=max(Console().width, 126))
+    if balls:
+        console.print(fields.table_of(balls))
+        console.print(f"written: {balls_csv}")
     if rows:
         write_chart(rows, png)
-        # Wide enough for all columns, also where the output is no terminal.
-        console = Console(width=max(Console().width, 126))
         console.print(table_of(rows, size))
         console.print(f"written: {csv}, {png}")
     if stopped is not None:

@@ -112,7 +112,7 @@ public:
 
 private:
   static constexpr int MostCharges = 64; // 64 roundings of a sum are 4e-6 at most
-  static constexpr int Width = 8; // rows that are summed at once
+  static constexpr int Width = 8;        // rows that are summed at once
 
   void Flush()
   {

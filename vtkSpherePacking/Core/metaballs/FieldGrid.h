@@ -17,7 +17,7 @@ struct FieldGrid
   std::int64_t Dimensions[3];
   double Scale = 1.0; ///< a length here over the same in the packing's unit
   float* Field = nullptr;
-  float* Gradient = nullptr;         ///< three a place, or null
+  float* Gradient = nullptr;      ///< three a place, or null
   long long* Strongest = nullptr; ///< id of the sphere that adds most, or null
 
   SPHEREPACKING_INLINE double At(int axis, std::int64_t i) const

@@ -23,15 +23,15 @@ double StrengthOf(BlobKind kind, double weight, double radius)
   }
 }
 
-// Two more for each digit that is wanted: fewer make more clusters too near, more make each of them
-// slower.
+// More make fewer clusters too near, but each of them slower; these are the fastest.
 int OrderOf(double relativeError)
 {
-  const double order = std::round(2.0 - 2.0 * std::log10(relativeError));
+  const double order = std::round(3.0 - 2.0 * std::log10(relativeError));
   return static_cast<int>(std::min(std::max(order, 2.0), static_cast<double>(MostOrder)));
 }
 
-// What rounding in single precision adds at most: that of sums (see BlockSum.h), and of the kernels.
+// What rounding in single precision adds at most: that of sums (see BlockSum.h), and of the
+// kernels.
 constexpr double Rounding = 5e-6;
 constexpr int Leaf = 32;
 }

@@ -89,6 +89,22 @@ private:
   const ClusterMoments& Moments;
   const MultiIndex& Index;
 };
+
+// Leaves first; the height of a node is one more than that of its higher child.
+std::vector<std::vector<std::int32_t>> NodesByHeight(const ChargeTree& tree)
+{
+  std::vector<std::int32_t> heights(tree.Nodes.size(), 0);
+  std::vector<std::vector<std::int32_t>> nodes;
+  // Children come after their parents.
+  for (std::size_t i = tree.Nodes.size(); i-- > 0;)
+  {
+    const std::int32_t child = tree.Nodes[i].Child;
+    heights[i] = child < 0 ? 0 : 1 + std::max(heights[child], heights[child + 1]);
+    nodes.resize(std::max(nodes.size(), static_cast<std::size_t>(heights[i]) + 1));
+    nodes[heights[i]].push_back(static_cast<std::int32_t>(i));
+  }
+  return nodes;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -112,29 +128,30 @@ ClusterMoments ComputeMoments(const ChargeTree& tree, int order, const ParallelF
 {
   ClusterMoments moments;
   moments.Index = MultiIndex(order);
-  const auto count = static_cast<std::int64_t>(tree.Nodes.size());
   moments.Values.resize(tree.Nodes.size() * moments.Index.Count);
   const Computer computer(tree, moments);
   const auto of = [&](std::int64_t i) { return moments.Values.data() + i * moments.Index.Count; };
-  constexpr std::int64_t part = 64;
-  parallelFor((count + part - 1) / part,
-    [&](std::int64_t first)
-    {
-      for (std::int64_t i = first * part; i < std::min(count, (first + 1) * part); ++i)
-      {
-        if (tree.Nodes[i].Child < 0)
-        {
-          computer.OfCharges(tree.Nodes[i], of(i));
-        }
-      }
-    });
-  // Children come after their parents.
-  for (std::int64_t i = count; i-- > 0;)
+  // Nodes whose children are done, those of a height after another.
+  constexpr std::int64_t part = 16;
+  for (const std::vector<std::int32_t>& nodes : NodesByHeight(tree))
   {
-    if (tree.Nodes[i].Child >= 0)
-    {
-      computer.OfChildren(tree.Nodes[i], of(i));
-    }
+    const auto number = static_cast<std::int64_t>(nodes.size());
+    parallelFor((number + part - 1) / part,
+      [&](std::int64_t first)
+      {
+        for (std::int64_t i = first * part; i < std::min(number, (first + 1) * part); ++i)
+        {
+          const std::int32_t node = nodes[i];
+          if (tree.Nodes[node].Child < 0)
+          {
+            computer.OfCharges(tree.Nodes[node], of(node));
+          }
+          else
+          {
+            computer.OfChildren(tree.Nodes[node], of(node));
+          }
+        }
+      });
   }
   return moments;
 }

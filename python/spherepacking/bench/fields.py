@@ -1,0 +1,222 @@
+"""Metaballs: time of a field beside its error, and how far a surface is from the true one."""
+
+from __future__ import annotations
+
+import csv
+import dataclasses
+import io
+import statistics
+import time
+from typing import TYPE_CHECKING
+
+import numpy as np
+from rich import box
+from rich.table import Table
+
+from ..accessor import PackingAccessor
+from .scenes import knot_tube
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator, Sequence
+
+    import pyvista as pv
+    from numpy.typing import NDArray
+
+TOLERANCES = (1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 0.0)
+"""Relative errors that are asked for; 0 sums sphere by sphere."""
+GRID = 64
+"""Points along each axis of the fields."""
+GRIDS = (16, 32, 64, 128, 256)
+"""Points along each axis of the surfaces."""
+THRESHOLD = 10.0
+_SPHERES = 2000  # of the surfaces
+_PLACES = 300  # at which errors are measured
+_PAIRS = 3e9  # of spheres and points a second, about
+LABELS = ("metaballs, field", "metaballs, surface")
+
+
+@dataclasses.dataclass(frozen=True)
+class FieldRow:
+    """What a field or a surface took, and its error."""
+
+    what: str
+    spheres: int
+    grid: int
+    """Points along each axis."""
+    relative_error: float
+    """That was asked for."""
+    seconds: float
+    """The median."""
+    field_error: float = np.nan
+    """The largest relative error that was found, at random points, against float64."""
+    distance: float = np.nan
+    """Root mean square of the surface's distance from the true one, in spacings of the grid."""
+    farthest: float = np.nan
+    """The largest distance that was found."""
+
+
+def exact_sums(
+    packing: pv.PolyData, points: NDArray[np.float64], power: int
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Sum the inverse kernels in float64, sphere by sphere.
+
+    Parameters
+    ----------
+    packing : pyvista.PolyData
+        Centres (n, 3) and point array ``radius`` (n,).
+    points : numpy.ndarray
+        Where (m, 3), not at a centre.
+    power : {1, 2}
+        Of the distance.
+
+    Returns
+    -------
+    tuple of numpy.ndarray
+        Values (m,) and gradients (m, 3).
+    """
+    centers = np.asarray(packing.points, float)
+    radii = np.asarray(packing["radius"], float)
+    values, gradients = np.empty(len(points)), np.empty((len(points), 3))
+    for i, point in enumerate(points):
+        away = point - centers
+        square = (away**2).sum(axis=1)
+        each = (radii / np.sqrt(square)) ** power
+        values[i] = each.sum()
+        gradients[i] = -power * (each / square) @ away
+    return values, gradients
+
+
+def points_of(image: pv.ImageData, chosen: NDArray[np.int64]) -> NDArray[np.float64]:
+    """Points (n, 3) of a grid in float64, which ``image.points`` is not."""
+    steps = np.array(np.unravel_index(chosen, image.dimensions, order="F")).T
+    return np.array(image.origin) + steps * np.array(image.spacing)
+
+
+def field_error(packing: pv.PolyData, image: pv.ImageData, places: int = _PLACES) -> float:
+    """Largest relative error of an inverse field at random points of its grid."""
+    chosen = np.random.default_rng(0).integers(0, image.n_points, places)
+    exact, _ = exact_sums(packing, points_of(image, chosen), 1)
+    return float(np.abs(image["field"][chosen] / exact - 1.0).max())
+
+
+def distances(packing: pv.PolyData, surface: pv.PolyData, threshold: float) -> NDArray[np.float64]:
+    """Distances of random points of triangles from the true surface, to first order (places,)."""
+    rng = np.random.default_rng(0)
+    corners = surface.points[surface.regular_faces[rng.integers(0, surface.n_cells, _PLACES)]]
+    share = rng.dirichlet((1.0, 1.0, 1.0), _PLACES)
+    points = np.einsum("nc,ncx->nx", share, np.asarray(corners, float))
+    value, gradient = exact_sums(packing, points, 2)
+    return np.abs(value - threshold) / np.linalg.norm(gradient, axis=1)
+
+
+def _timed(work: Callable[[], object], turns: int) -> tuple[float, object]:
+    """Median time of some turns after one that does not count, and what the last one made."""
+    seconds = []
+    for _ in range(turns + 1):
+        start = time.perf_counter()
+        made = work()
+        seconds.append(time.perf_counter() - start)
+        if seconds[0] > 10.0:
+            break
+    return statistics.median(seconds[1:] or seconds), made
+
+
+def measure(
+    counts: Sequence[int],
+    labels: Sequence[str],
+    turns: int,
+    limit: float,
+    tick: Callable[[str], None],
+) -> Iterator[FieldRow]:
+    """Measure fields of packings of each size, then surfaces on each grid.
+
+    Parameters
+    ----------
+    counts : sequence of int
+        Numbers of spheres.
+    labels : sequence of str
+        Which of `LABELS`.
+    turns : int
+        How many of each are timed.
+    limit : float
+        Seconds that a sum sphere by sphere may be expected to take, else it is left out.
+    tick : callable
+        Is told what is done.
+
+    Yields
+    ------
+    FieldRow
+        One measurement.
+    """
+    for count in counts if LABELS[0] in labels else ():
+        packing = knot_tube(count)
+        spheres = PackingAccessor(packing)
+        for tolerance in TOLERANCES:
+            if tolerance == 0.0 and count * GRID**3 / _PAIRS > limit:
+                continue
+            tick(f"{count} spheres: field to {tolerance:g}")
+            seconds, image = _timed(
+                lambda s=spheres, e=tolerance: s.metaball_field(GRID, relative_error=e), turns
+            )
+            error = field_error(packing, image)
+            yield FieldRow("field", count, GRID, tolerance, seconds, field_error=error)
+    if LABELS[1] not in labels:
+        return
+    packing = knot_tube(_SPHERES)
+    words = {"kernel": "inverse_square", "coloring": None}
+    for grid in GRIDS:
+        tick(f"surface on a grid of {grid}")
+        seconds, surface = _timed(
+            lambda g=grid: PackingAccessor(packing).metaballs(THRESHOLD, dimensions=g, **words),
+            turns,
+        )
+        spacing = max(
+            PackingAccessor(packing)
+            .metaball_field(grid, kernel="inverse_square", threshold=THRESHOLD, relative_error=0.1)
+            .spacing
+        )
+        away = distances(packing, surface, THRESHOLD) / spacing
+        yield FieldRow(
+            "surface",
+            _SPHERES,
+            grid,
+            1e-3,
+            seconds,
+            distance=float(np.sqrt(np.mean(away**2))),
+            farthest=float(away.max()),
+        )
+
+
+def table_of(rows: Sequence[FieldRow]) -> Table:
+    """Make a table of what was measured."""
+    table = Table(
+        title="Metaballs: fields of r / d, and surfaces of (r / d)² at 10",
+        caption="asked: relative error of the field; found: the largest at "
+        f"{_PLACES} random points, against float64; distance: of random points of the surface from "
+        "the true one, in spacings of the grid, root mean square and largest",
+        box=box.SIMPLE,
+    )
+    for name in ("", "spheres", "grid", "asked", "ms", "found", "distance", "largest"):
+        table.add_column(name, justify="right" if name else "left")
+    for row in rows:
+        table.add_row(
+            row.what,
+            str(row.spheres),
+            f"{row.grid}³",
+            f"{row.relative_error:g}",
+            f"{1e3 * row.seconds:.1f}",
+            "" if np.isnan(row.field_error) else f"{row.field_error:.1e}",
+            "" if np.isnan(row.distance) else f"{row.distance:.4f}",
+            "" if np.isnan(row.farthest) else f"{row.farthest:.4f}",
+        )
+    return table
+
+
+def csv_of(rows: Sequence[FieldRow]) -> bytes:
+    """Write rows as CSV with a header, numbers with all digits, empty where there is none."""
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow([field.name for field in dataclasses.fields(FieldRow)])
+    for row in rows:
+        writer.writerow(["" if value != value else value for value in dataclasses.astuple(row)])
+    return text.getvalue().encode()
