@@ -203,6 +203,11 @@ def surface_at(field: pv.ImageData, threshold: float) -> pv.PolyData:
     threshold : float
         Value of the surface.
 
+    Raises
+    ------
+    ValueError
+        If the grid is flat.
+
     Returns
     -------
     pyvista.PolyData
@@ -211,8 +216,12 @@ def surface_at(field: pv.ImageData, threshold: float) -> pv.PolyData:
     """
     from ._backend import vtkFlyingEdges3D
 
+    if min(field.dimensions) < 2:
+        raise ValueError(
+            f"dimensions: found {field.dimensions}, expected 2 or more along each axis"
+        )
     values = field["field"]
-    least, most = (values.min(), values.max()) if values.size else (0.0, 0.0)
+    least, most = values.min(), values.max()
     surface = pv.PolyData()
     if not least < threshold <= most:
         side = "above" if threshold > most else "not above"
@@ -221,7 +230,7 @@ def surface_at(field: pv.ImageData, threshold: float) -> pv.PolyData:
             f"to {most:g}, so the surface is empty",
             stacklevel=4,
         )
-    elif min(field.dimensions) > 1:
+    else:
         if "blend" in field.point_data:
             # Between small integers the filter's interpolation overflows.
             field = field.copy(deep=False)

@@ -20,7 +20,8 @@ class Metaballs:
     Set :attr:`threshold`, :attr:`weights` or :attr:`count`, and the next rendering shows the new
     surface. A new threshold needs no new field unless the surface grows out of the grid; new
     weights need none either from the second time on that there are as many of them, since the field
-    is linear in them: the fields of the ranges of spheres are kept.
+    is linear in them: the fields of the ranges of spheres are kept. Call :meth:`update` after
+    changes of the packing.
 
     Parameters
     ----------
@@ -56,7 +57,7 @@ class Metaballs:
         self._colors: np.ndarray | None = None
         self._field: pv.ImageData | None = None
         self._ranges: list[pv.ImageData] = []
-        self._fit()
+        self.update()
 
     @property
     def threshold(self) -> float:
@@ -69,7 +70,7 @@ class Metaballs:
         self._threshold = _field.threshold_of(threshold)
         try:
             if self._escapes():
-                self._fit()
+                self.update()
             else:
                 self._contour()
         except BaseException:
@@ -97,7 +98,7 @@ class Metaballs:
         self._words["weights"] = weights
         try:
             if self._coloring == "strongest" or not numbers:
-                self._fit()
+                self.update()
                 return
             if len(self._ranges) != len(numbers):
                 self._ranges = [
@@ -105,18 +106,24 @@ class Metaballs:
                 ]
             self._field = _mixed(self._ranges, numbers)
             if self._escapes():
-                self._fit()
+                self.update()
             else:
                 self._contour()
         except BaseException:
             self._words["weights"] = before
             raise
 
+    def update(self) -> None:
+        """Make field and surface anew, on a grid that holds it, from the packing as it now is."""
+        self._field = self._sum(self._words["weights"], False)
+        self._ranges = []
+        self._contour()
+
     def _change(self, name: str, value: object) -> None:
         before = self._words[name]
         self._words[name] = value
         try:
-            self._fit()
+            self.update()
         except BaseException:
             self._words[name] = before
             raise
@@ -124,12 +131,6 @@ class Metaballs:
     def _escapes(self) -> bool:
         """Whether the surface has grown out of a grid that was to hold it."""
         return self._words["bounds"] is None and _field.touches_sides(self._field, self._threshold)
-
-    def _fit(self) -> None:
-        """Make the field anew, on a grid that holds the surface."""
-        self._field = self._sum(self._words["weights"], False)
-        self._ranges = []
-        self._contour()
 
     def _sum(self, weights: ArrayLike | None, same_grid: bool) -> pv.ImageData:
         words = self._words | {"weights": weights}

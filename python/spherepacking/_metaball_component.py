@@ -78,8 +78,8 @@ class MetaballsOfPlotter:
         Returns
         -------
         Metaballs
-            Has the ``actor`` and the ``surface``, and ``threshold``, ``weights`` and ``count``,
-            which can be set.
+            Has the ``actor`` and the ``surface``, ``threshold``, ``weights`` and ``count``, which
+            can be set, and the method ``update`` for changes of the packing.
 
         Raises
         ------

@@ -134,6 +134,16 @@ def test_an_empty_surface_is_said_to_be_empty(packing, threshold):
     assert surface.n_points == surface.n_cells == 0
 
 
+def test_weights_of_0_have_no_surface():
+    with pytest.warns(UserWarning, match="the surface is empty"):
+        assert one_sphere().packing.metaballs(1.0, dimensions=8, weights=[0]).n_cells == 0
+
+
+def test_a_flat_grid_has_no_surface(packing):
+    with pytest.raises(ValueError, match=r"dimensions: found \(8, 8, 1\)"):
+        packing.packing.metaballs(10.0, dimensions=(8, 8, 1))
+
+
 def test_no_spheres_have_no_surface():
     with pytest.warns(UserWarning, match="the surface is empty"):
         assert pv.PolyData().packing.metaballs(1.0, dimensions=8).n_cells == 0
@@ -325,6 +335,13 @@ def test_weights_reuse_the_fields_of_the_ranges(plotter, packing):
     assert balls.surface.n_points == direct.n_points
     assert np.abs(balls.surface.points - direct.points).max() < 1e-2
     assert np.abs(balls.surface["color"].astype(int) - direct["color"]).mean() < 2
+
+
+def test_update_after_the_packing_changed(plotter, packing):
+    balls = plotter.packing.add_metaballs(packing, 5.0, **WORDS)
+    packing["radius"] *= 0.5
+    balls.update()
+    assert (balls.surface.points == packing.packing.metaballs(5.0, **WORDS).points).all()
 
 
 def test_count(plotter, packing):

@@ -189,27 +189,25 @@ void vtkMetaballField::Check() const
 vtkMetaballField::Box vtkMetaballField::FindBox(const vtkSpherePackingFieldInput& input) const
 {
   double bounds[6] = { -0.5, 0.5, -0.5, 0.5, -0.5, 0.5 };
+  const int most = *std::max_element(this->Dimensions, this->Dimensions + 3);
   if (!(this->ModelBounds[0] > this->ModelBounds[1]))
   {
     std::copy_n(this->ModelBounds, 6, bounds);
   }
-  else if (!input.Empty() && this->Threshold > 0.0)
+  else if (!input.Empty() &&
+    !(this->Threshold > 0.0 &&
+      vtkSpherePackingEncloseSurface(
+        input, static_cast<BlobKind>(this->Kernel), this->Threshold, std::min(most, 512), bounds)))
   {
-    const int most = *std::max_element(this->Dimensions, this->Dimensions + 3);
-    vtkSpherePackingEncloseSurface(
-      input, static_cast<BlobKind>(this->Kernel), this->Threshold, std::min(most, 512), bounds);
-  }
-  else if (!input.Empty())
-  {
-    std::copy_n(input.Bounds, 6, bounds);
     double length = 0.0;
     for (int axis = 0; axis < 3; ++axis)
     {
-      length = std::max(length, bounds[2 * axis + 1] - bounds[2 * axis]);
+      length = std::max(length, input.Bounds[2 * axis + 1] - input.Bounds[2 * axis]);
     }
     for (int side = 0; side < 6; ++side)
     {
-      bounds[side] += (side % 2 ? 0.1 : -0.1) * (length > 0.0 ? length : 1.0);
+      const double room = 0.1 * (length > 0.0 ? length : 1.0);
+      bounds[side] = input.Bounds[side] + (side % 2 ? room : -room);
     }
   }
   vtkSpherePackingCheckExtent(bounds);

@@ -111,7 +111,7 @@ void vtkSpherePackingScaleOf(const double (&box)[6], double (&origin)[3], double
 }
 
 //------------------------------------------------------------------------------
-void vtkSpherePackingEncloseSurface(const vtkSpherePackingFieldInput& input, BlobKind kind,
+bool vtkSpherePackingEncloseSurface(const vtkSpherePackingFieldInput& input, BlobKind kind,
   double threshold, int places, double (&box)[6])
 {
   double origin[3];
@@ -153,11 +153,16 @@ void vtkSpherePackingEncloseSurface(const vtkSpherePackingFieldInput& input, Blo
   {
     length = std::max(length, reached[2 * axis + 1] - reached[2 * axis]);
   }
+  if (!(length > 0.0))
+  {
+    return false;
+  }
   for (int side = 0; side < 6; ++side)
   {
     // Some room, so that the surface does not touch the sides.
     const double out = side % 2 ? 0.02 : -0.02;
     box[side] = origin[side / 2] + (reached[side] + out * length) / scale;
   }
+  return true;
 }
 VTK_ABI_NAMESPACE_END

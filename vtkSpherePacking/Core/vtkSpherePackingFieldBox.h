@@ -12,7 +12,8 @@ class vtkSpherePackingFieldInput;
 
 // Sets a box on whose sides the field is below `threshold`, as seen at `places` x `places` points
 // of each. Of kernels that end, or nearly so, a box outside which nothing reaches the threshold.
-void vtkSpherePackingEncloseSurface(const vtkSpherePackingFieldInput& input,
+// False if there is nothing to enclose.
+bool vtkSpherePackingEncloseSurface(const vtkSpherePackingFieldInput& input,
   spherepacking::BlobKind kind, double threshold, int places, double (&box)[6]);
 
 // The origin and the power of two that make a box about 1 long.
