@@ -6,8 +6,8 @@
 
 namespace spherepacking
 {
-/// Whether what was compiled for processors with AVX2 and fused multiplication and addition is there
-/// and runs on this one.
+/// Whether what was compiled for processors with AVX2 and fused multiplication and addition is
+/// there and runs on this one.
 inline bool HasAvx2()
 {
 #if defined(SPHEREPACKING_HAS_AVX2)
