@@ -31,8 +31,8 @@ def weights_of(weights: ArrayLike | None) -> list[float]:
         values = np.atleast_1d(np.asarray(weights, dtype=float))
     except (TypeError, ValueError):
         values = np.empty((0, 0))
-    if values.ndim != 1 or not values.size or not ((values >= 0) & (values <= 1e30)).all():
-        raise ValueError(f"weights: found {weights!r}, expected numbers from 0 to 1e30")
+    if values.ndim != 1 or not values.size or not ((values >= 0) & (values <= 1e20)).all():
+        raise ValueError(f"weights: found {weights!r}, expected numbers from 0 to 1e20")
     return values.tolist()
 
 
@@ -45,9 +45,9 @@ def coloring_of(coloring: str | None) -> str | None:
 
 def threshold_of(threshold: float) -> float:
     """`threshold` as a finite number above 0, or a ValueError."""
-    value = arguments.above_zero("threshold", threshold)
+    value = np.inf if isinstance(threshold, bool) else arguments.above_zero("threshold", threshold)
     if value == np.inf:
-        raise ValueError(f"threshold: found {threshold!r}, expected a finite number")
+        raise ValueError(f"threshold: found {threshold!r}, expected a finite number above 0")
     return value
 
 
@@ -86,10 +86,15 @@ def field_filter(
             raise ValueError(f"dimensions: found {dimensions!r}, expected one or three integers")
         algorithm.SetDimensions([arguments.count_of("dimensions", n) for n in three])
     else:
-        three = np.broadcast_to(spacing, 3) if np.size(spacing) in (1, 3) else (np.nan,) * 3
+        three = [spacing] * 3 if np.ndim(spacing) == 0 else list(spacing)
+        if len(three) != 3:
+            raise ValueError(f"spacing: found {spacing!r}, expected one or three numbers")
         algorithm.SetSpacing([arguments.above_zero("spacing", step) for step in three])
     if bounds is not None:
-        box = np.asarray(bounds, dtype=float)
+        try:
+            box = np.asarray(bounds, dtype=float)
+        except (TypeError, ValueError):
+            box = np.empty(0)
         if box.shape != (6,) or not np.isfinite(box).all() or (box[::2] > box[1::2]).any():
             raise ValueError(
                 f"bounds: found {bounds!r}, expected x min, x max, y min, y max, z min and z max"
@@ -104,9 +109,9 @@ def field_filter(
     if count is not None:
         algorithm.SetCount(arguments.count_of("count", count))
     error = arguments.number_of("relative_error", relative_error, 0.0, 0.5)
-    if 0.0 < error < 1e-5:
+    if 0.0 < error < 2e-5:
         raise ValueError(
-            f"relative_error: found {relative_error!r}, expected a number from 1e-5 to 0.5, or 0 "
+            f"relative_error: found {relative_error!r}, expected a number from 2e-5 to 0.5, or 0 "
             "for sums sphere by sphere"
         )
     algorithm.SetRelativeError(error)
@@ -221,7 +226,7 @@ def surface_at(field: pv.ImageData, threshold: float) -> pv.PolyData:
             f"dimensions: found {field.dimensions}, expected 2 or more along each axis"
         )
     values = field["field"]
-    least, most = values.min(), values.max()
+    least, most = float(values.min()), float(values.max())
     surface = pv.PolyData()
     if not least < threshold <= most:
         side = "above" if threshold > most else "not above"
@@ -231,10 +236,13 @@ def surface_at(field: pv.ImageData, threshold: float) -> pv.PolyData:
             stacklevel=4,
         )
     else:
+        field = field.copy(deep=False)
         if "blend" in field.point_data:
             # Between small integers the filter's interpolation overflows.
-            field = field.copy(deep=False)
             field.point_data["blend"] = field.point_data["blend"].astype(np.float32)
+        # Its points are floats, which would not do far from the origin.
+        center = np.array(field.center)
+        field.origin = np.array(field.origin) - center
         edges = vtkFlyingEdges3D()
         edges.SetInputData(field)
         edges.SetInputArrayToProcess(0, 0, 0, 0, "field")
@@ -244,6 +252,7 @@ def surface_at(field: pv.ImageData, threshold: float) -> pv.PolyData:
         edges.InterpolateAttributesOn()
         edges.Update()
         surface.ShallowCopy(edges.GetOutput())
+        surface.points = np.asarray(surface.points, float) + center
     data = surface.point_data
     if "gradient" in data:
         data["Normals"] = _normals_of(data["gradient"])
@@ -264,11 +273,21 @@ def _normals_of(gradient: np.ndarray) -> np.ndarray:
 
 
 def ids_at(field: pv.ImageData, points: np.ndarray) -> np.ndarray:
-    """Values (n,) of ``strongest`` at the grid points nearest to `points` (n, 3)."""
-    steps = np.rint((points - np.array(field.origin)) / np.array(field.spacing)).astype(int)
+    """Values (n,) of ``strongest`` at the inner ends of the edges that a surface's `points` cut."""
+    places = (points - np.array(field.origin)) / np.array(field.spacing)
+    low = np.rint(places).astype(int)
+    high = low.copy()
+    rows = np.arange(len(places))
+    axis = np.abs(places - low).argmax(axis=1)
+    low[rows, axis] = np.floor(places[rows, axis])
+    high[rows, axis] = np.ceil(places[rows, axis])
     nx, ny, nz = field.dimensions
-    x, y, z = np.clip(steps, 0, np.array([nx, ny, nz]) - 1).T
-    return field["strongest"][x + nx * (y + ny * z)]
+    ends = []
+    for end in (low, high):
+        x, y, z = np.clip(end, 0, np.array([nx, ny, nz]) - 1).T
+        ends.append(x + nx * (y + ny * z))
+    values = field["field"]
+    return field["strongest"][np.where(values[ends[0]] > values[ends[1]], *ends)]
 
 
 def touches_sides(field: pv.ImageData, threshold: float) -> bool:
@@ -279,3 +298,11 @@ def touches_sides(field: pv.ImageData, threshold: float) -> bool:
         for axis in range(3)
         for side in (np.take(values, 0, axis), np.take(values, -1, axis))
     )
+
+
+def fills(field: pv.ImageData, surface: pv.PolyData) -> bool:
+    """Whether a surface is at least half as long as its grid, which is wasted otherwise."""
+    if not surface.n_points:
+        return False
+    lengths = np.array(field.spacing) * (np.array(field.dimensions) - 1)
+    return bool(np.ptp(surface.points, axis=0).max() >= 0.5 * lengths.max())

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -9,6 +10,7 @@ import pyvista as pv
 
 from . import _field
 from ._metaballs import colored_surface
+from ._raycast import state_of
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -18,10 +20,11 @@ class Metaballs:
     """What ``plotter.packing.add_metaballs`` returns: an actor and what its surface is made of.
 
     Set :attr:`threshold`, :attr:`weights` or :attr:`count`, and the next rendering shows the new
-    surface. A new threshold needs no new field unless the surface grows out of the grid; new
-    weights need none either from the second time on that there are as many of them, since the field
-    is linear in them: the fields of the ranges of spheres are kept. Call :meth:`update` after
-    changes of the packing.
+    surface. A new threshold needs no new field unless the surface grows out of the grid or fills
+    less than half of it. New weights need none either from the second time on that there are as
+    many of them, since the field is linear in them: the fields of the ranges of spheres are kept,
+    except with ``coloring="strongest"``, which is not linear. After changes of the packing call
+    :meth:`update`.
 
     Parameters
     ----------
@@ -52,11 +55,13 @@ class Metaballs:
         """How many fields have been summed, each over the whole grid."""
         self._packing = packing
         self._coloring = _field.coloring_of(coloring)
-        self._look, self._words = look, dict(words)
+        numbers = None if words["weights"] is None else _field.weights_of(words["weights"])
+        self._look, self._words = look, words | {"weights": numbers}
         self._threshold = _field.threshold_of(threshold)
         self._colors: np.ndarray | None = None
         self._field: pv.ImageData | None = None
         self._ranges: list[pv.ImageData] = []
+        self._state: tuple[int, ...] = ()
         self.update()
 
     @property
@@ -69,10 +74,7 @@ class Metaballs:
         before = self._threshold
         self._threshold = _field.threshold_of(threshold)
         try:
-            if self._escapes():
-                self.update()
-            else:
-                self._contour()
+            self._show()
         except BaseException:
             self._threshold = before
             raise
@@ -89,35 +91,34 @@ class Metaballs:
     @property
     def weights(self) -> tuple[float, ...]:
         """Weights of the ranges of spheres, from the largest to the smallest; empty for 1."""
-        return tuple(_field.weights_of(self._words["weights"]))
+        return tuple(self._words["weights"] or ())
 
     @weights.setter
     def weights(self, weights: ArrayLike | None) -> None:
-        numbers = _field.weights_of(weights)
-        before = self._words["weights"]
-        self._words["weights"] = weights
+        empty = weights is None or np.size(weights) == 0
+        numbers = [] if empty else _field.weights_of(weights)
+        before, field = self._words["weights"], self._field
+        self._words["weights"] = tuple(numbers) or None
         try:
-            if self._coloring == "strongest" or not numbers:
+            if self._coloring == "strongest" or not numbers or self._state != self._now():
                 self.update()
                 return
             if len(self._ranges) != len(numbers):
-                self._ranges = [
-                    self._sum(np.eye(len(numbers))[i], True) for i in range(len(numbers))
-                ]
+                ones = np.eye(len(numbers))
+                self._ranges = [self._sum(one, same_grid=True) for one in ones]
             self._field = _mixed(self._ranges, numbers)
-            if self._escapes():
-                self.update()
-            else:
-                self._contour()
+            self._show()
         except BaseException:
-            self._words["weights"] = before
+            self._words["weights"], self._field = before, field
             raise
 
     def update(self) -> None:
         """Make field and surface anew, on a grid that holds it, from the packing as it now is."""
-        self._field = self._sum(self._words["weights"], False)
+        state = self._now()
+        self._field = self._sum(self._words["weights"], same_grid=False)
         self._ranges = []
-        self._contour()
+        self._state = state
+        self._take(self._contour())
 
     def _change(self, name: str, value: object) -> None:
         before = self._words[name]
@@ -128,11 +129,31 @@ class Metaballs:
             self._words[name] = before
             raise
 
-    def _escapes(self) -> bool:
-        """Whether the surface has grown out of a grid that was to hold it."""
-        return self._words["bounds"] is None and _field.touches_sides(self._field, self._threshold)
+    def _now(self) -> tuple[int, ...]:
+        """When the packing was last changed."""
+        packing = self._packing
+        told = packing.GetMTime(), packing.GetPointData().GetMTime()
+        return *told, *(state_of(packing) or ())
 
-    def _sum(self, weights: ArrayLike | None, same_grid: bool) -> pv.ImageData:
+    def _show(self) -> None:
+        """Show the surface in the field, or in a new one if the grid does not suit it."""
+        if self._state != self._now():
+            self.update()
+            return
+        if self._words["bounds"] is not None:
+            self._take(self._contour())
+            return
+        if not _field.touches_sides(self._field, self._threshold):
+            with warnings.catch_warnings():
+                # On a grid of its own there may be one.
+                warnings.filterwarnings("ignore", "metaballs: ", UserWarning)
+                surface = self._contour()
+            if _field.fills(self._field, surface):
+                self._take(surface)
+                return
+        self.update()
+
+    def _sum(self, weights: ArrayLike | None, *, same_grid: bool) -> pv.ImageData:
         words = self._words | {"weights": weights}
         if same_grid:
             words |= {"bounds": self._field.bounds, "dimensions": self._field.dimensions}
@@ -143,10 +164,12 @@ class Metaballs:
         self.sums += 1
         return field
 
-    def _contour(self) -> None:
-        made = colored_surface(self._field, self._threshold, self._coloring, self._colors)
+    def _contour(self) -> pv.PolyData:
+        return colored_surface(self._field, self._threshold, self._coloring, self._colors)
+
+    def _take(self, surface: pv.PolyData) -> None:
         # The mapper of the actor keeps this one.
-        self.surface.copy_from(made)
+        self.surface.copy_from(surface)
 
 
 def _mixed(ranges: list[pv.ImageData], weights: list[float]) -> pv.ImageData:

@@ -61,13 +61,13 @@ class MetaballsOfPacking:
             0 from d = 2 r on (G. Wyvill, C. McPheeters and B. Wyvill, "Data Structure for Soft
             Objects", 1986). All are w at d = r.
         weights : array_like, optional
-            k weights from 0 on (k,), each for an equal share of the spheres from the largest to the
-            smallest; 1 for all by default.
+            k weights from 0 to 1e20 (k,), each for an equal share of the spheres from the largest
+            to the smallest; 1 for all by default.
         count : int, optional
             Use this many of the largest spheres.
         relative_error : float, default: 1e-3
-            Bound on the relative error of the field, from 1e-5 to 0.5, or 0 to sum sphere by
-            sphere, with an error below 5e-6. To the last two kernels' bound 1e-6 times the
+            Bound on the relative error of the field, from 2e-5 to 0.5, or 0 to sum sphere by
+            sphere, with an error below 1e-5. To the last two kernels' bound 1e-6 times the
             largest weight is added.
         bounds : sequence of float, optional
             Box of the grid, x min, x max, y min, … By default a tenth of the packing's longest side

@@ -87,6 +87,43 @@ def test_surfaces_are_closed_and_face_outwards(packing, kernel, threshold):
     assert np.mean(facing > 0) > 0.97
 
 
+@pytest.mark.parametrize("offset", [0.0, 1e7])
+@pytest.mark.parametrize("radius", [1.0, 0.05])
+def test_surfaces_far_from_the_origin(offset, radius):
+    """Points are as exact as the field."""
+    sphere = one_sphere((0.0, 0.0, 0.0), radius)
+    sphere.points = np.array([[offset, -offset, offset]])
+    surface = sphere.packing.metaballs(1.0, dimensions=32)
+    distance = np.linalg.norm(surface.points - sphere.points[0], axis=1)
+    # A straight line through two values of r / d, h apart, is off by h^2 / 4 r there.
+    assert np.abs(distance / radius - 1).max() < 1.1 * (2.1 / 31) ** 2 / 4
+    moved = surface.translate(-sphere.points[0])
+    assert volume_of(moved) == pytest.approx(4 / 3 * np.pi * radius**3, rel=1e-2)
+
+
+def hard_packings():
+    rng = np.random.default_rng(5)
+    spread = rng.uniform(-1, 1, (200, 3))
+    yield "coincident", np.zeros((20, 3)), np.full(20, 0.3)
+    yield "concentric", np.zeros((5, 3)), np.linspace(0.1, 1, 5)
+    yield "touching", [[-1, 0, 0], [1, 0, 0]], [1, 1]
+    yield "ratio 1e6", spread, np.where(np.arange(200) < 3, 0.5, 5e-7)
+    yield "far away", 1e7 + spread, np.full(200, 0.1)
+    yield "in a plane", spread * [1, 1, 0], np.full(200, 0.1)
+
+
+@pytest.mark.parametrize("kernel", KERNELS)
+@pytest.mark.parametrize("case", list(hard_packings()), ids=lambda case: case[0])
+def test_surfaces_of_hard_packings(case, kernel):
+    _, centers, radii = case
+    packing = pv.PolyData(np.asarray(centers, float), force_float=False)
+    packing["radius"] = np.asarray(radii, float)
+    surface = packing.packing.metaballs(0.8, kernel=kernel, dimensions=30, coloring=None)
+    assert surface.n_cells > 0
+    assert edges_are_shared_by_two(surface)
+    assert volume_of(surface.translate(-np.mean(packing.points, axis=0))) > 0
+
+
 def test_two_touching_spheres_grow_together():
     pair = pv.PolyData([[-1.0, 0, 0], [1.0, 0, 0]])
     pair["radius"] = [1.0, 1.0]
@@ -176,6 +213,17 @@ def test_strongest_is_the_nearer_of_equals():
     assert (surface["color"] == pair["paint_rgb"][surface["sphere_id"]]).all()
 
 
+def test_strongest_is_somebody_on_a_coarse_grid():
+    """Also where the nearest grid point is one that nothing reaches."""
+    pair = pv.PolyData([[0.0, 0, 0], [50, 0, 0]])
+    pair["radius"] = [1.0, 1.0]
+    pair["paint_rgb"] = np.array([[255, 0, 0], [0, 0, 255]], np.uint8)
+    words = {"coloring": "strongest", "scalars": "paint_rgb", "kernel": "wyvill"}
+    surface = pair.packing.metaballs(0.01, dimensions=(160, 12, 12), **words)
+    assert surface.n_points
+    assert (surface["sphere_id"] == (surface.points[:, 0] > 25)).all()
+
+
 def test_colours_are_those_of_the_plotter(packing):
     one = packing.extract_points([0], include_cells=False)
     one = pv.PolyData(one.points, force_float=False)
@@ -230,11 +278,15 @@ BAD = [
     ({"count": 0}, ValueError, "count: found 0"),
     ({"count": 1.5}, TypeError, "count: found 1.5"),
     ({"relative_error": -1}, ValueError, "relative_error: found -1"),
-    ({"relative_error": 1e-7}, ValueError, "relative_error: found 1e-07"),
+    ({"relative_error": 1e-5}, ValueError, "relative_error: found 1e-05"),
     ({"relative_error": np.nan}, ValueError, "relative_error: found nan"),
     ({"bounds": (0, 1, 0, 1)}, ValueError, "bounds: found"),
     ({"bounds": (1, 0, 0, 1, 0, 1)}, ValueError, "bounds: found"),
     ({"bounds": (0, np.inf, 0, 1, 0, 1)}, ValueError, "bounds: found"),
+    ({"bounds": "abc"}, ValueError, "bounds: found 'abc'"),
+    ({"spacing": "a"}, ValueError, "spacing: found 'a'"),
+    ({"threshold": True}, ValueError, "threshold: found True"),
+    ({"threshold": 1e-40}, ValueError, "threshold: found 1e-40"),
     ({"threshold": 0}, ValueError, "threshold: found 0"),
     ({"threshold": np.inf}, ValueError, "threshold: found inf"),
     ({"scalars": "mass"}, KeyError, "mass"),
@@ -301,17 +353,29 @@ WORDS = {"kernel": "inverse_square", "dimensions": 32}
 
 
 def test_a_threshold_needs_no_new_field(plotter, packing):
-    balls = plotter.packing.add_metaballs(packing, 3.0, **WORDS)
+    balls = plotter.packing.add_metaballs(packing, 8.0, **WORDS)
     before = picture(plotter)
-    balls.threshold = 20.0
+    bounds = balls._field.bounds
+    balls.threshold = 9.0
     assert balls.sums == 1
-    expected = packing.packing.metaballs(3.0, **WORDS)
-    assert 0 < balls.surface.n_points < expected.n_points
-    assert np.abs(picture(plotter) - before).mean() > 1
-    balls.threshold = 3.0
+    expected = packing.packing.metaballs(9.0, bounds=bounds, **WORDS)
+    assert np.abs(balls.surface.points - expected.points).max() < 1e-4
+    assert np.abs(picture(plotter) - before).mean() > 0.1
+    balls.threshold = 8.0
     assert balls.sums == 1
-    assert (balls.surface.points == expected.points).all()
     assert (picture(plotter) == before).all()
+
+
+@pytest.mark.parametrize("change", [{"threshold": 1.0}, {"weights": [0.01]}])
+def test_a_surface_that_shrinks_gets_a_finer_grid(plotter, change):
+    """It is as fine as one that was asked for in the first place."""
+    first = 0.01 if "threshold" in change else 1.0
+    balls = plotter.packing.add_metaballs(one_sphere(), first, dimensions=32)
+    (name, value), *_ = change.items()
+    setattr(balls, name, value)
+    words = {"threshold": first} | change
+    expected = one_sphere().packing.metaballs(words.pop("threshold"), dimensions=32, **words)
+    assert (balls.surface.points == expected.points).all()
 
 
 def test_a_surface_that_grows_gets_a_larger_grid(plotter, packing):
@@ -335,6 +399,28 @@ def test_weights_reuse_the_fields_of_the_ranges(plotter, packing):
     assert balls.surface.n_points == direct.n_points
     assert np.abs(balls.surface.points - direct.points).max() < 1e-2
     assert np.abs(balls.surface["color"].astype(int) - direct["color"]).mean() < 2
+
+
+def test_weights_after_the_packing_changed(plotter, packing):
+    """Fields of before and after are not mixed."""
+    balls = plotter.packing.add_metaballs(packing, 5.0, weights=[1, 1], **WORDS)
+    balls.weights = [1, 0.9]
+    packing.points[0] = [9.0, 0.0, 0.0]
+    packing.Modified()
+    balls.weights = [0.9, 1]
+    expected = packing.packing.metaballs(5.0, weights=[0.9, 1], **WORDS)
+    assert (balls.surface.points == expected.points).all()
+
+
+def test_weights_are_a_copy_and_can_be_taken_away(plotter, packing):
+    weights = np.array([1.0, 2.0])
+    balls = plotter.packing.add_metaballs(packing, 5.0, weights=weights, **WORDS)
+    weights[:] = 7
+    assert balls.weights == (1.0, 2.0)
+    balls.weights = None
+    assert balls.weights == ()
+    balls.weights = balls.weights
+    assert (balls.surface.points == packing.packing.metaballs(5.0, **WORDS).points).all()
 
 
 def test_update_after_the_packing_changed(plotter, packing):

@@ -18,6 +18,7 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -49,6 +50,12 @@ struct vtkMetaballField::Box
   }
 };
 
+struct vtkMetaballField::BoxKept
+{
+  Box Grid;
+  std::vector<vtkMTimeType> Times;
+};
+
 namespace
 {
 using Clock = std::chrono::steady_clock;
@@ -69,6 +76,16 @@ std::string Join(const T* values, int count)
   return text.str();
 }
 
+void MultiplyBy(double factor, vtkFloatArray* array)
+{
+  float* values = array->GetPointer(0);
+  if (factor != 1.0)
+  {
+    vtkSMPTools::Transform(values, values + array->GetNumberOfValues(), values,
+      [factor](float value) { return static_cast<float>(value * factor); });
+  }
+}
+
 template <typename ArrayT>
 ArrayT* AddArray(vtkImageData* output, const char* name, int components)
 {
@@ -83,7 +100,10 @@ ArrayT* AddArray(vtkImageData* output, const char* name, int components)
 }
 
 //------------------------------------------------------------------------------
-vtkMetaballField::vtkMetaballField() = default;
+vtkMetaballField::vtkMetaballField()
+  : Kept(new BoxKept)
+{
+}
 
 //------------------------------------------------------------------------------
 vtkMetaballField::~vtkMetaballField() = default;
@@ -172,16 +192,16 @@ void vtkMetaballField::Check() const
   }
   for (const double weight : this->Weights)
   {
-    if (!(weight >= 0.0 && weight <= 1e30))
+    if (!(weight >= 0.0 && weight <= 1e20))
     {
       refuse("weights: found " + Join(this->Weights.data(), this->GetNumberOfWeights()),
-        "numbers from 0 to 1e30");
+        "numbers from 0 to 1e20");
     }
   }
   const double error = this->RelativeError;
-  if (!(error == 0.0 || (error >= 1e-5 && error <= 0.5)))
+  if (!(error == 0.0 || (error >= 2e-5 && error <= 0.5)))
   {
-    refuse("relative_error: found " + Join(&error, 1), "a number from 1e-5 to 0.5, or 0");
+    refuse("relative_error: found " + Join(&error, 1), "a number from 2e-5 to 0.5, or 0");
   }
 }
 
@@ -210,7 +230,18 @@ vtkMetaballField::Box vtkMetaballField::FindBox(const vtkSpherePackingFieldInput
       bounds[side] = input.Bounds[side] + (side % 2 ? room : -room);
     }
   }
-  vtkSpherePackingCheckExtent(bounds);
+  try
+  {
+    vtkSpherePackingCheckExtent(bounds);
+  }
+  catch (const std::invalid_argument&)
+  {
+    const bool given = !(this->ModelBounds[0] > this->ModelBounds[1]);
+    throw std::invalid_argument(given
+        ? "bounds: found " + Join(bounds, 6) + ", expected coordinates up to 1e30"
+        : "threshold: found " + Join(&this->Threshold, 1) +
+          ", whose surface lies beyond coordinates of 1e30, expected a larger one");
+  }
   Box box;
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -260,31 +291,53 @@ void vtkMetaballField::CheckSize(const Box& box) const
 int vtkMetaballField::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
-  int dimensions[3] = { 1, 1, 1 };
+  // Where the grid lies depends on the packing; filters that follow ask before there is data.
+  Box box{ {}, { 1.0, 1.0, 1.0 }, { 1, 1, 1 } };
   try
   {
     this->Check();
-    std::copy_n(this->Dimensions, 3, dimensions);
-    if (this->Spacing[0] > 0.0)
+    this->GetInputAlgorithm()->Update();
+    vtkPolyData* packing = vtkPolyData::SafeDownCast(this->GetInput());
+    vtkNew<vtkSpherePackingInput> check;
+    vtkDataArray* radii = check->FindRadii(packing, this->RadiusArrayName.c_str());
+    if (!*check->GetMessage())
     {
-      // Then how many points there are depends on the packing.
-      this->GetInputAlgorithm()->Update();
-      vtkPolyData* packing = vtkPolyData::SafeDownCast(this->GetInput());
-      vtkNew<vtkSpherePackingInput> check;
-      vtkDataArray* radii = check->FindRadii(packing, this->RadiusArrayName.c_str());
-      const vtkSpherePackingFieldInput input(packing, radii, this->Count, this->Weights);
-      std::copy_n(this->FindBox(input).Dimensions, 3, dimensions);
+      box = this->BoxOf(packing, radii);
     }
   }
   catch (const std::invalid_argument&)
   {
     // RequestData says so.
-    std::fill_n(dimensions, 3, 1);
+    box.Dimensions[0] = 1;
   }
   vtkInformation* info = outputs->GetInformationObject(0);
-  const int extent[6] = { 0, dimensions[0] - 1, 0, dimensions[1] - 1, 0, dimensions[2] - 1 };
+  const int extent[6] = { 0, box.Dimensions[0] - 1, 0, box.Dimensions[1] - 1, 0,
+    box.Dimensions[2] - 1 };
   info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+  info->Set(vtkDataObject::ORIGIN(), box.Origin, 3);
+  info->Set(vtkDataObject::SPACING(), box.Spacing, 3);
+  vtkDataObject::SetPointDataActiveScalarInfo(info, VTK_FLOAT, 1);
   return 1;
+}
+
+//------------------------------------------------------------------------------
+const vtkMetaballField::Box& vtkMetaballField::BoxOf(vtkPolyData* packing, vtkDataArray* radii)
+{
+  const std::vector<vtkMTimeType> times{ this->GetMTime(), packing->GetMTime(),
+    radii ? radii->GetMTime() : 0,
+    packing->GetPoints() ? packing->GetPoints()->GetData()->GetMTime() : 0 };
+  if (this->Kept->Times != times)
+  {
+    this->Kept->Times.clear();
+    const vtkSpherePackingFieldInput input(packing, radii, this->Count, this->Weights);
+    if (!input.Empty())
+    {
+      vtkSpherePackingCheckExtent(input.Bounds);
+    }
+    this->Kept->Grid = this->FindBox(input);
+    this->Kept->Times = times;
+  }
+  return this->Kept->Grid;
 }
 
 //------------------------------------------------------------------------------
@@ -310,12 +363,8 @@ int vtkMetaballField::RequestData(
         " spheres, expected at most 2147483647");
     }
     const vtkSpherePackingFieldInput input(packing, radii, this->Count, this->Weights);
-    if (!input.Empty())
-    {
-      vtkSpherePackingCheckExtent(input.Bounds);
-    }
     vtkUnsignedCharArray* colors = this->FindColors(packing);
-    const Box box = this->FindBox(input);
+    const Box box = this->BoxOf(packing, radii);
     output->SetDimensions(box.Dimensions);
     output->SetOrigin(box.Origin);
     output->SetSpacing(box.Spacing);
@@ -417,12 +466,12 @@ void vtkMetaballField::Make(const vtkSpherePackingFieldInput& input, const Box& 
     scene.Grid.Strongest = strongest->GetPointer(0);
   }
   bool go = this->Run(scene, 0.0, share);
+  // The spheres were given parts of the largest weight.
+  const double unit = input.MostWeight > 0.0 ? input.MostWeight : 1.0;
+  MultiplyBy(unit, field);
   if (gradient)
   {
-    const auto scale = static_cast<float>(scene.Grid.Scale);
-    float* values = gradient->GetPointer(0);
-    vtkSMPTools::Transform(values, values + gradient->GetNumberOfValues(), values,
-      [scale](float value) { return value * scale; });
+    MultiplyBy(unit * scene.Grid.Scale, gradient);
   }
   if (colors)
   {
@@ -438,7 +487,8 @@ void vtkMetaballField::Make(const vtkSpherePackingFieldInput& input, const Box& 
       for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
       {
         const float whole = field->GetValue(i);
-        const float mean = whole > 0.0f ? std::min(1.0f, part[i] / whole) : 0.0f;
+        const float mean =
+          whole > 0.0f ? std::min(1.0f, static_cast<float>(part[i] * unit / whole)) : 0.0f;
         blend->SetTypedComponent(i, channel, static_cast<unsigned char>(255.0f * mean + 0.5f));
       }
     }

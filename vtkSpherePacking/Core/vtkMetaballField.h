@@ -40,6 +40,7 @@
 #include "vtkImageAlgorithm.h"
 #include "vtkSpherePackingCoreModule.h" // for the export macro
 
+#include <memory> // for std::unique_ptr
 #include <string> // for std::string
 #include <vector> // for weights
 
@@ -124,8 +125,8 @@ public:
   double GetWeight(int i) const;
 
   /**
-   * Relative error that the field may have, from 1e-5 to 0.5, default 1e-3, or 0 for sums charge by
-   * charge, whose error is below 5e-6. Other numbers are an error when the filter runs.
+   * Relative error that the field may have, from 2e-5 to 0.5, default 1e-3, or 0 for sums charge by
+   * charge, whose error is below 1e-5. Other numbers are an error when the filter runs.
    */
   vtkSetMacro(RelativeError, double);
   vtkGetMacro(RelativeError, double);
@@ -170,11 +171,13 @@ private:
   vtkMetaballField(const vtkMetaballField&) = delete;
   void operator=(const vtkMetaballField&) = delete;
 
-  struct Box; // the grid in world coordinates
+  struct Box;     // the grid in world coordinates
+  struct BoxKept; // that of the last run, and what it was made of
 
   int Fail(const std::string& message);
   void Check() const;
   Box FindBox(const vtkSpherePackingFieldInput& input) const;
+  const Box& BoxOf(vtkPolyData* packing, vtkDataArray* radii);
   void CheckSize(const Box& box) const;
   vtkUnsignedCharArray* FindColors(vtkPolyData* packing) const;
 
@@ -187,6 +190,7 @@ private:
   void Make(const vtkSpherePackingFieldInput& input, const Box& box, vtkUnsignedCharArray* colors,
     vtkImageData* output);
 
+  std::unique_ptr<BoxKept> Kept;
   int Kernel = INVERSE;
   int Dimensions[3] = { 64, 64, 64 };
   double Spacing[3] = { 0.0, 0.0, 0.0 };

@@ -119,6 +119,7 @@ bool vtkSpherePackingEncloseSurface(const vtkSpherePackingFieldInput& input, Blo
   vtkSpherePackingScaleOf(input.Bounds, origin, scale);
   std::vector<Charge> spheres = input.Scaled(origin, scale);
   const bool ends = kind == BlobKind::Gaussian || kind == BlobKind::Wyvill;
+  threshold /= input.MostWeight > 0.0 ? input.MostWeight : 1.0;
   const double number = ends ? static_cast<double>(spheres.size()) : 1.0;
   double centers[6];
   double reached[6];

@@ -75,13 +75,14 @@ std::vector<spherepacking::Charge> vtkSpherePackingFieldInput::Scaled(
   const spherepacking::SphereArrays& spheres = arrays.Get();
   std::vector<spherepacking::Charge> charges;
   charges.reserve(this->Number);
+  const double unit = this->MostWeight > 0.0 ? this->MostWeight : 1.0;
   for (vtkIdType rank = 0; rank < this->Number; ++rank)
   {
     const vtkIdType id = this->Ranks.empty() ? rank : this->Ranks[rank];
     const spherepacking::Sphere sphere = spheres[id];
     charges.push_back({ { (sphere.X - origin[0]) * scale, (sphere.Y - origin[1]) * scale,
                           (sphere.Z - origin[2]) * scale },
-      static_cast<float>(this->WeightOf(rank)), static_cast<float>(sphere.R * scale),
+      static_cast<float>(this->WeightOf(rank) / unit), static_cast<float>(sphere.R * scale),
       static_cast<std::int32_t>(id) });
   }
   return charges;

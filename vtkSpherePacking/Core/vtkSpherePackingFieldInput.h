@@ -22,7 +22,7 @@ public:
   vtkSpherePackingFieldInput(
     vtkPolyData* packing, vtkDataArray* radii, vtkIdType count, const std::vector<double>& weights);
 
-  // The spheres with weights for strengths, as (x - origin) scale.
+  // The spheres as (x - origin) scale, with parts of the largest weight for strengths.
   std::vector<spherepacking::Charge> Scaled(const double (&origin)[3], double scale) const;
 
   bool Empty() const { return this->Number == 0; }

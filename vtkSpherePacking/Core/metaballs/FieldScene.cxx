@@ -30,9 +30,8 @@ int OrderOf(double relativeError)
   return static_cast<int>(std::min(std::max(order, 2.0), static_cast<double>(MostOrder)));
 }
 
-// What rounding in single precision adds at most: that of sums (see BlockSum.h), and of the
-// kernels.
-constexpr double Rounding = 5e-6;
+// What rounding in single precision adds at most, see BlockSum.h.
+constexpr double Rounding = 1e-5;
 constexpr int Leaf = 32;
 }
 

@@ -35,6 +35,7 @@ private:
     }
     this->Bound();
     this->Collect();
+    this->LeaveOutCovered();
     for (int z = 0; z < part.Count[2]; ++z)
     {
       for (int y = 0; y < part.Count[1]; ++y)
@@ -142,6 +143,40 @@ private:
         }
       }
     }
+  }
+
+  // Of charges at one place, those that another one surpasses everywhere.
+  void LeaveOutCovered()
+  {
+    const auto before = [](const Charge* one, const Charge* other)
+    {
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        if (one->X[axis] != other->X[axis])
+        {
+          return one->X[axis] < other->X[axis];
+        }
+      }
+      if (one->Strength != other->Strength)
+      {
+        return one->Strength > other->Strength;
+      }
+      return one->Radius != other->Radius ? one->Radius > other->Radius : one->Id < other->Id;
+    };
+    std::sort(this->Some.begin(), this->Some.end(), before);
+    std::size_t kept = 0;
+    float radius = 0.0f;
+    for (std::size_t i = 0; i < this->Some.size(); ++i)
+    {
+      const Charge* charge = this->Some[i];
+      const bool first = i == 0 || !std::equal(charge->X, charge->X + 3, this->Some[i - 1]->X);
+      if (first || charge->Radius > radius)
+      {
+        radius = charge->Radius;
+        this->Some[kept++] = charge;
+      }
+    }
+    this->Some.resize(kept);
   }
 
   std::int64_t At(const std::int64_t (&place)[3]) const

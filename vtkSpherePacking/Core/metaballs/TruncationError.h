@@ -29,6 +29,9 @@
 ///
 ///   ((R - b + m) / (R - b - a))^v |e|, where |e| is bounded by s in place of t in t^(p+1).
 ///
+/// Where this is at most 1/2, it falls with p: clusters may be expanded to a higher order than they
+/// need.
+///
 /// No charge is negative, so the relative error of a sum of clusters is no larger than the largest
 /// among them. Shifting a polynomial to another centre does not change it.
 ///
