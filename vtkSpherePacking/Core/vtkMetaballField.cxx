@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkMetaballField.h"
+#include "vtkMetaballFieldInternals.h"
 
-#include "vtkSpherePackingExtent.h"
 #include "vtkSpherePackingFieldBox.h"
 #include "vtkSpherePackingFieldInput.h"
 #include "vtkSpherePackingFields.h"
 #include "vtkSpherePackingInput.h"
-#include "vtkSpherePackingMemory.h"
 #include "vtkSpherePackingParallelFor.h"
 #include "vtkSpherePackingPieces.h"
 
@@ -18,10 +16,8 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTypeInt64Array.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -29,7 +25,6 @@
 #include <chrono>
 #include <cmath>
 #include <new>
-#include <sstream>
 #include <stdexcept>
 
 vtkStandardNewMacro(vtkMetaballField);
@@ -38,24 +33,6 @@ using spherepacking::BlobKind;
 using spherepacking::FieldBlock;
 using spherepacking::FieldScene;
 
-struct vtkMetaballField::Box
-{
-  double Origin[3];
-  double Spacing[3];
-  int Dimensions[3];
-
-  double Points() const
-  {
-    return static_cast<double>(this->Dimensions[0]) * this->Dimensions[1] * this->Dimensions[2];
-  }
-};
-
-struct vtkMetaballField::BoxKept
-{
-  Box Grid;
-  std::vector<vtkMTimeType> Times;
-};
-
 namespace
 {
 using Clock = std::chrono::steady_clock;
@@ -63,17 +40,6 @@ using Clock = std::chrono::steady_clock;
 double SecondsSince(Clock::time_point start)
 {
   return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-template <typename T>
-std::string Join(const T* values, int count)
-{
-  std::ostringstream text;
-  for (int i = 0; i < count; ++i)
-  {
-    text << (i > 0 ? " " : "") << values[i];
-  }
-  return text.str();
 }
 
 void MultiplyBy(double factor, vtkFloatArray* array)
@@ -162,7 +128,8 @@ void vtkMetaballField::Check() const
   { throw std::invalid_argument(found + ", expected " + expected); };
   if (std::any_of(this->Dimensions, this->Dimensions + 3, [](int n) { return n < 1; }))
   {
-    refuse("dimensions: found " + Join(this->Dimensions, 3), "three numbers from 1 on");
+    refuse(
+      "dimensions: found " + vtkMetaballFieldJoin(this->Dimensions, 3), "three numbers from 1 on");
   }
   const bool none =
     !(this->Spacing[0] != 0.0 || this->Spacing[1] != 0.0 || this->Spacing[2] != 0.0);
@@ -170,7 +137,7 @@ void vtkMetaballField::Check() const
   {
     if (!none && !(spacing > 0.0 && std::isfinite(spacing)))
     {
-      refuse("spacing: found " + Join(this->Spacing, 3), "three numbers above 0");
+      refuse("spacing: found " + vtkMetaballFieldJoin(this->Spacing, 3), "three numbers above 0");
     }
   }
   const double* bounds = this->ModelBounds;
@@ -179,12 +146,13 @@ void vtkMetaballField::Check() const
     if (!std::isfinite(bounds[2 * axis + 1] - bounds[2 * axis]) ||
       bounds[2 * axis] > bounds[2 * axis + 1])
     {
-      refuse("bounds: found " + Join(bounds, 6), "x min, x max, y min, y max, z min and z max");
+      refuse("bounds: found " + vtkMetaballFieldJoin(bounds, 6),
+        "x min, x max, y min, y max, z min and z max");
     }
   }
   if (!(this->Threshold >= 0.0 && std::isfinite(this->Threshold)))
   {
-    refuse("threshold: found " + Join(&this->Threshold, 1), "a number above 0");
+    refuse("threshold: found " + vtkMetaballFieldJoin(&this->Threshold, 1), "a number above 0");
   }
   if (this->Count < 0)
   {
@@ -194,150 +162,17 @@ void vtkMetaballField::Check() const
   {
     if (!(weight >= 0.0 && weight <= 1e20))
     {
-      refuse("weights: found " + Join(this->Weights.data(), this->GetNumberOfWeights()),
+      refuse(
+        "weights: found " + vtkMetaballFieldJoin(this->Weights.data(), this->GetNumberOfWeights()),
         "numbers from 0 to 1e20");
     }
   }
   const double error = this->RelativeError;
   if (!(error == 0.0 || (error >= 2e-5 && error <= 0.5)))
   {
-    refuse("relative_error: found " + Join(&error, 1), "a number from 2e-5 to 0.5, or 0");
+    refuse("relative_error: found " + vtkMetaballFieldJoin(&error, 1),
+      "a number from 2e-5 to 0.5, or 0");
   }
-}
-
-//------------------------------------------------------------------------------
-vtkMetaballField::Box vtkMetaballField::FindBox(const vtkSpherePackingFieldInput& input) const
-{
-  double bounds[6] = { -0.5, 0.5, -0.5, 0.5, -0.5, 0.5 };
-  const int most = *std::max_element(this->Dimensions, this->Dimensions + 3);
-  if (!(this->ModelBounds[0] > this->ModelBounds[1]))
-  {
-    std::copy_n(this->ModelBounds, 6, bounds);
-  }
-  else if (!input.Empty() &&
-    !(this->Threshold > 0.0 &&
-      vtkSpherePackingEncloseSurface(
-        input, static_cast<BlobKind>(this->Kernel), this->Threshold, std::min(most, 512), bounds)))
-  {
-    double length = 0.0;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      length = std::max(length, input.Bounds[2 * axis + 1] - input.Bounds[2 * axis]);
-    }
-    for (int side = 0; side < 6; ++side)
-    {
-      const double room = 0.1 * (length > 0.0 ? length : 1.0);
-      bounds[side] = input.Bounds[side] + (side % 2 ? room : -room);
-    }
-  }
-  try
-  {
-    vtkSpherePackingCheckExtent(bounds);
-  }
-  catch (const std::invalid_argument&)
-  {
-    const bool given = !(this->ModelBounds[0] > this->ModelBounds[1]);
-    throw std::invalid_argument(given
-        ? "bounds: found " + Join(bounds, 6) + ", expected coordinates up to 1e30"
-        : "threshold: found " + Join(&this->Threshold, 1) +
-          ", whose surface lies beyond coordinates of 1e30, expected a larger one");
-  }
-  Box box;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const double length = bounds[2 * axis + 1] - bounds[2 * axis];
-    box.Origin[axis] = bounds[2 * axis];
-    box.Dimensions[axis] = this->Dimensions[axis];
-    box.Spacing[axis] = box.Dimensions[axis] > 1 ? length / (box.Dimensions[axis] - 1) : 0.0;
-    if (this->Spacing[0] > 0.0)
-    {
-      // Rounding makes no further point.
-      const double steps = std::ceil(length / this->Spacing[axis] * (1.0 - 1e-12));
-      box.Spacing[axis] = this->Spacing[axis];
-      box.Dimensions[axis] = static_cast<int>(std::min(steps, 1e9)) + 1;
-      continue;
-    }
-    if (box.Dimensions[axis] == 1)
-    {
-      // A single point lies in the middle.
-      box.Spacing[axis] = 1.0;
-      box.Origin[axis] += 0.5 * length;
-    }
-    else if (!(box.Spacing[axis] > 0.0))
-    {
-      throw std::invalid_argument("bounds: found " + Join(bounds, 6) +
-        ", expected a length above 0 along axes with more than one point");
-    }
-  }
-  this->CheckSize(box);
-  return box;
-}
-
-//------------------------------------------------------------------------------
-void vtkMetaballField::CheckSize(const Box& box) const
-{
-  const double bytes = 4.0 + 12.0 * this->ComputeGradient + 8.0 * this->ComputeStrongest +
-    7.0 * !this->ColorArrayName.empty();
-  if (box.Points() * bytes > vtkSpherePackingHalfOfMemory())
-  {
-    const bool spaced = this->Spacing[0] > 0.0;
-    throw std::invalid_argument(std::string(spaced ? "spacing" : "dimensions") + ": found " +
-      (spaced ? Join(this->Spacing, 3) : Join(this->Dimensions, 3)) + ", which makes " +
-      Join(box.Dimensions, 3) + " points, more than fit in half of the memory, expected fewer");
-  }
-}
-
-//------------------------------------------------------------------------------
-int vtkMetaballField::RequestInformation(
-  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
-{
-  // Where the grid lies depends on the packing; filters that follow ask before there is data.
-  Box box{ {}, { 1.0, 1.0, 1.0 }, { 1, 1, 1 } };
-  try
-  {
-    this->Check();
-    this->GetInputAlgorithm()->Update();
-    vtkPolyData* packing = vtkPolyData::SafeDownCast(this->GetInput());
-    vtkNew<vtkSpherePackingInput> check;
-    vtkDataArray* radii = check->FindRadii(packing, this->RadiusArrayName.c_str());
-    if (!*check->GetMessage())
-    {
-      box = this->BoxOf(packing, radii);
-    }
-  }
-  catch (const std::invalid_argument&)
-  {
-    // RequestData says so.
-    box.Dimensions[0] = 1;
-  }
-  vtkInformation* info = outputs->GetInformationObject(0);
-  const int extent[6] = { 0, box.Dimensions[0] - 1, 0, box.Dimensions[1] - 1, 0,
-    box.Dimensions[2] - 1 };
-  info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
-  info->Set(vtkDataObject::ORIGIN(), box.Origin, 3);
-  info->Set(vtkDataObject::SPACING(), box.Spacing, 3);
-  vtkDataObject::SetPointDataActiveScalarInfo(info, VTK_FLOAT, 1);
-  return 1;
-}
-
-//------------------------------------------------------------------------------
-const vtkMetaballField::Box& vtkMetaballField::BoxOf(vtkPolyData* packing, vtkDataArray* radii)
-{
-  const std::vector<vtkMTimeType> times{ this->GetMTime(), packing->GetMTime(),
-    radii ? radii->GetMTime() : 0,
-    packing->GetPoints() ? packing->GetPoints()->GetData()->GetMTime() : 0 };
-  if (this->Kept->Times != times)
-  {
-    this->Kept->Times.clear();
-    const vtkSpherePackingFieldInput input(packing, radii, this->Count, this->Weights);
-    if (!input.Empty())
-    {
-      vtkSpherePackingCheckExtent(input.Bounds);
-    }
-    this->Kept->Grid = this->FindBox(input);
-    this->Kept->Times = times;
-  }
-  return this->Kept->Grid;
 }
 
 //------------------------------------------------------------------------------
@@ -521,12 +356,14 @@ void vtkMetaballField::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Kernel: " << this->Kernel << "\n";
-  os << indent << "Dimensions: " << Join(this->Dimensions, 3) << "\n";
-  os << indent << "Spacing: " << Join(this->Spacing, 3) << "\n";
-  os << indent << "ModelBounds: " << Join(this->ModelBounds, 6) << "\n";
+  os << indent << "Dimensions: " << vtkMetaballFieldJoin(this->Dimensions, 3) << "\n";
+  os << indent << "Spacing: " << vtkMetaballFieldJoin(this->Spacing, 3) << "\n";
+  os << indent << "ModelBounds: " << vtkMetaballFieldJoin(this->ModelBounds, 6) << "\n";
   os << indent << "Threshold: " << this->Threshold << "\n";
   os << indent << "Count: " << this->Count << "\n";
-  os << indent << "Weights: " << Join(this->Weights.data(), this->GetNumberOfWeights()) << "\n";
+  os << indent
+     << "Weights: " << vtkMetaballFieldJoin(this->Weights.data(), this->GetNumberOfWeights())
+     << "\n";
   os << indent << "RelativeError: " << this->RelativeError << "\n";
   os << indent << "ComputeGradient: " << (this->ComputeGradient ? "On" : "Off") << "\n";
   os << indent << "ComputeStrongest: " << (this->ComputeStrongest ? "On" : "Off") << "\n";
