@@ -14,7 +14,8 @@ Direct sums make 3e9 pairs of sphere and point a second and core, with an error 
 the same run; its error is found in the same way. 2000 spheres on 256^3 points take at most 2 s,
 1 000 000 spheres there 60 s. Twice as many spheres, 100 000 after 50 000, take at most 1.3 times as
 long, on 128^3 and on 256^3 points. On 64^3 the spheres weigh more, which is shown without a bar.
-Beyond what is returned, memory is at most 150 bytes a sphere, measured as the growth of the process.
+Beyond what is returned, memory is at most 150 bytes a sphere, measured as the growth of the
+process.
 """
 
 from __future__ import annotations
