@@ -42,6 +42,13 @@ inline void Store(const VectorT& vector, Value* to)
   std::memcpy(to, &vector, sizeof(vector));
 }
 
+/// The same element of eight arrays.
+inline Float8 Gather(const float* const (&from)[8], int at)
+{
+  return Float8{ from[0][at], from[1][at], from[2][at], from[3][at], from[4][at], from[5][at],
+    from[6][at], from[7][at] };
+}
+
 /// Bit i is set where element i of a comparison's result is true.
 inline unsigned Bits(const Int8& mask)
 {

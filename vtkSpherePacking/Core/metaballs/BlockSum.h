@@ -68,26 +68,38 @@ public:
     std::fill(this->RowZ + this->Rows, this->RowZ + MostBlockRows, 0.0f);
   }
 
+  /// Charges that may lie anywhere.
   void Add(const Charge* charges, std::int32_t count)
   {
     for (std::int32_t i = 0; i < count; ++i)
     {
-      const Charge& charge = charges[i];
-      if (this->IsNear(charge))
+      if (this->IsNear(charges[i]))
       {
-        this->AddExactly(charge);
-        continue;
+        this->AddExactly(charges[i]);
       }
-      this->X[this->Count] = static_cast<float>(charge.X[0] - this->Middle[0]);
-      this->Y[this->Count] = static_cast<float>(charge.X[1] - this->Middle[1]);
-      this->Z[this->Count] = static_cast<float>(charge.X[2] - this->Middle[2]);
-      this->Strength[this->Count] = charge.Strength;
-      this->Shape[this->Count] = static_cast<float>(Blob::Shape(charge.Radius));
-      if (++this->Count == MostCharges)
+      else
       {
-        this->Flush();
+        this->Keep(charges[i]);
       }
     }
+  }
+
+  /// Charges in a ball.
+  void Add(const Charge* charges, std::int32_t count, const double (&center)[3], double radius)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      if (center[axis] + radius < this->Low[axis] - this->Exact ||
+        center[axis] - radius > this->High[axis] + this->Exact)
+      {
+        for (std::int32_t i = 0; i < count; ++i)
+        {
+          this->Keep(charges[i]);
+        }
+        return;
+      }
+    }
+    this->Add(charges, count);
   }
 
   /// Adds the sums to the grid's arrays.
@@ -114,6 +126,19 @@ public:
 private:
   static constexpr int MostCharges = 64; // 64 roundings of a sum are 4e-6 at most
   static constexpr int Width = 8;        // rows that are summed at once
+
+  void Keep(const Charge& charge)
+  {
+    this->X[this->Count] = static_cast<float>(charge.X[0] - this->Middle[0]);
+    this->Y[this->Count] = static_cast<float>(charge.X[1] - this->Middle[1]);
+    this->Z[this->Count] = static_cast<float>(charge.X[2] - this->Middle[2]);
+    this->Strength[this->Count] = charge.Strength;
+    this->Shape[this->Count] = static_cast<float>(Blob::Shape(charge.Radius));
+    if (++this->Count == MostCharges)
+    {
+      this->Flush();
+    }
+  }
 
   void Flush()
   {

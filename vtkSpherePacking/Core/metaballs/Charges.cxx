@@ -10,54 +10,56 @@ namespace spherepacking
 {
 namespace
 {
+// Halves a node and its parts until they have no more than `leaf` charges.
 class Builder
 {
 public:
-  Builder(ChargeTree& tree, int leaf)
-    : Tree(tree)
+  Builder(std::vector<Charge>& charges, std::int32_t leaf)
+    : Charges(charges)
     , Leaf(leaf)
   {
   }
 
   // Depth first, with a list instead of a recursion: trees may be deep.
-  void Run()
+  std::vector<ChargeNode> Run(std::int32_t first, std::int32_t count)
   {
-    ChargeNode root;
-    root.Count = static_cast<std::int32_t>(this->Tree.Charges.size());
-    this->Tree.Nodes.push_back(root);
+    std::vector<ChargeNode> nodes(1, NodeOf(first, count));
     std::vector<std::int32_t> left{ 0 };
     while (!left.empty())
     {
       const std::int32_t at = left.back();
       left.pop_back();
-      const int axis = this->Enclose(this->Tree.Nodes[at]);
-      const ChargeNode node = this->Tree.Nodes[at];
+      const int axis = this->Enclose(nodes[at]);
+      const ChargeNode node = nodes[at];
       if (node.Count <= this->Leaf || axis < 0)
       {
         continue;
       }
-      const std::int32_t first = this->Split(node, axis);
-      const auto child = static_cast<std::int32_t>(this->Tree.Nodes.size());
-      this->Tree.Nodes[at].Child = child;
-      ChargeNode low;
-      low.First = node.First;
-      low.Count = first;
-      ChargeNode high;
-      high.First = node.First + first;
-      high.Count = node.Count - first;
-      this->Tree.Nodes.push_back(low);
-      this->Tree.Nodes.push_back(high);
+      const std::int32_t low = this->Split(node, axis);
+      const auto child = static_cast<std::int32_t>(nodes.size());
+      nodes[at].Child = child;
+      nodes.push_back(NodeOf(node.First, low));
+      nodes.push_back(NodeOf(node.First + low, node.Count - low));
       left.push_back(child);
       left.push_back(child + 1);
     }
+    return nodes;
   }
 
 private:
+  static ChargeNode NodeOf(std::int32_t first, std::int32_t count)
+  {
+    ChargeNode node;
+    node.First = first;
+    node.Count = count;
+    return node;
+  }
+
   // Sets the ball of a node, about the middle of its box, and returns the box's longest side, or -1
   // if it is a point.
   int Enclose(ChargeNode& node)
   {
-    const Charge* charges = this->Tree.Charges.data() + node.First;
+    const Charge* charges = this->Charges.data() + node.First;
     double low[3];
     double high[3];
     std::copy_n(charges[0].X, 3, low);
@@ -73,14 +75,17 @@ private:
       node.MostStrength = std::max(node.MostStrength, charges[i].Strength);
     }
     int longest = 0;
+    double diagonal = 0.0;
     for (int axis = 0; axis < 3; ++axis)
     {
       node.Center[axis] = 0.5 * (low[axis] + high[axis]);
+      diagonal += (high[axis] - low[axis]) * (high[axis] - low[axis]);
       longest = high[axis] - low[axis] > high[longest] - low[longest] ? axis : longest;
     }
     double square = 0.0;
     double weights = 0.0;
     double powers = 0.0;
+    const double inverse = diagonal > 0.0 ? 1.0 / diagonal : 0.0;
     for (std::int32_t i = 0; i < node.Count; ++i)
     {
       double distance = 0.0;
@@ -90,14 +95,17 @@ private:
         distance += away * away;
       }
       square = std::max(square, distance);
-      static_assert(MeanPower == 10, "as it is computed here");
+      static_assert(MeanPower == 16, "as it is computed here");
+      double power = distance * inverse; // at most 1: high powers of lengths leave a double's range
+      power *= power;
+      power *= power;
       weights += charges[i].Strength;
-      powers += charges[i].Strength * (distance * distance) * (distance * distance) * distance;
+      powers += charges[i].Strength * power * power;
     }
     node.Radius = std::sqrt(square);
-    // Rounding, and lengths whose powers are too small for a double, make it no larger than that.
-    node.MeanRadius =
-      std::min(node.Radius, std::pow(powers / weights, 1.0 / MeanPower) * (1.0 + 1e-9));
+    // Rounding makes it no larger than that.
+    const double mean = std::sqrt(diagonal) * std::pow(powers / weights, 1.0 / MeanPower);
+    node.MeanRadius = std::min(node.Radius, mean * (1.0 + 1e-9));
     this->Middle = node.Center[longest];
     return high[longest] > low[longest] ? longest : -1;
   }
@@ -106,7 +114,7 @@ private:
   // so few that the tree would become deep.
   std::int32_t Split(const ChargeNode& node, int axis)
   {
-    Charge* first = this->Tree.Charges.data() + node.First;
+    Charge* first = this->Charges.data() + node.First;
     Charge* last = first + node.Count;
     const double middle = this->Middle;
     Charge* cut =
@@ -123,20 +131,51 @@ private:
     return node.Count / 2;
   }
 
-  ChargeTree& Tree;
+  std::vector<Charge>& Charges;
   const std::int32_t Leaf;
   double Middle = 0.0;
 };
 }
 
 //------------------------------------------------------------------------------
-ChargeTree BuildChargeTree(std::vector<Charge>&& charges, int leaf)
+ChargeTree BuildChargeTree(
+  std::vector<Charge>&& charges, std::int32_t leaf, const ParallelFor& parallelFor)
 {
   ChargeTree tree;
   tree.Charges = std::move(charges);
-  if (!tree.Charges.empty())
+  if (tree.Charges.empty())
   {
-    Builder(tree, leaf).Run();
+    return tree;
+  }
+  // Parts that are large enough for a thread.
+  const std::int32_t part = std::max(leaf, 4096);
+  const auto count = static_cast<std::int32_t>(tree.Charges.size());
+  tree.Nodes = Builder(tree.Charges, part).Run(0, count);
+  std::vector<std::int32_t> roots;
+  for (std::size_t i = 0; i < tree.Nodes.size(); ++i)
+  {
+    if (tree.Nodes[i].Child < 0 && tree.Nodes[i].Count > leaf)
+    {
+      roots.push_back(static_cast<std::int32_t>(i));
+    }
+  }
+  std::vector<std::vector<ChargeNode>> parts(roots.size());
+  parallelFor(static_cast<std::int64_t>(roots.size()),
+    [&](std::int64_t i)
+    {
+      const ChargeNode& root = tree.Nodes[roots[i]];
+      parts[i] = Builder(tree.Charges, leaf).Run(root.First, root.Count);
+    });
+  for (std::size_t i = 0; i < roots.size(); ++i)
+  {
+    // The part's root is there already; its children come first.
+    const auto shift = static_cast<std::int32_t>(tree.Nodes.size()) - 1;
+    for (ChargeNode& node : parts[i])
+    {
+      node.Child += node.Child < 0 ? 0 : shift;
+    }
+    tree.Nodes[roots[i]].Child = parts[i].front().Child;
+    tree.Nodes.insert(tree.Nodes.end(), parts[i].begin() + 1, parts[i].end());
   }
   return tree;
 }

@@ -2,6 +2,8 @@
 #ifndef Charges_h
 #define Charges_h
 
+#include "kernels/BuildBvh.h"
+
 #include <cstdint>
 #include <vector>
 
@@ -21,7 +23,7 @@ struct ChargeNode
 {
   double Center[3];
   double Radius;     ///< of the ball
-  double MeanRadius; ///< of the charges' distances from the centre, by their tenth powers
+  double MeanRadius; ///< of the charges' distances from the centre, by their 16th powers
   std::int32_t First = 0;
   std::int32_t Count = 0;
   std::int32_t Child = -1; ///< the first of two neighbours, or -1
@@ -37,7 +39,8 @@ struct ChargeTree
 };
 
 /// Halves boxes along their longest side until no leaf has more than `leaf` charges.
-ChargeTree BuildChargeTree(std::vector<Charge>&& charges, int leaf);
+ChargeTree BuildChargeTree(
+  std::vector<Charge>&& charges, std::int32_t leaf, const ParallelFor& parallelFor);
 }
 
 #endif

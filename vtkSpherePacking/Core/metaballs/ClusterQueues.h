@@ -19,10 +19,10 @@ class ClusterQueues
 public:
   ClusterQueues(const FieldScene& scene, double unit)
     : Scene(scene)
-    , Order(scene.Moments.Index.Order)
+    , Order(scene.Moments.Kept.Order)
     , Unit(static_cast<float>(unit))
   {
-    std::fill_n(this->Sums, scene.Moments.Index.Count, Float8{});
+    std::fill_n(this->Sums, scene.Moments.Kept.Count, Float8{});
   }
 
   /// `away` points from the cluster's centre to that of the expansion.
@@ -55,7 +55,7 @@ public:
       this->Fill(this->Queues[this->Order]);
       this->Translate(this->Order);
     }
-    for (int place = 0; place < this->Scene.Moments.Index.Count; ++place)
+    for (int place = 0; place < this->Scene.Moments.Kept.Count; ++place)
     {
       for (int lane = 0; lane < 8; ++lane)
       {
@@ -67,7 +67,7 @@ public:
 private:
   void Translate(int order)
   {
-    TranslateMoments<Power>(this->Scene.Moments.Index, this->Scene.Indices[order],
+    TranslateMoments<Power>(this->Scene.Moments.Kept, this->Scene.Indices[order],
       this->Queues[order], this->Unit, this->Sums);
     this->Queues[order].Count = 0;
   }
@@ -110,7 +110,7 @@ private:
   const int Order;
   const float Unit;
   Clusters Queues[MostOrder + 1];
-  Float8 Sums[MostMonomials];
+  Float8 Sums[MostKept];
 };
 }
 }

@@ -24,14 +24,18 @@ double StrengthOf(BlobKind kind, double weight, double radius)
 }
 
 // More make fewer clusters too near, but each of them slower; these are the fastest.
-int OrderOf(double relativeError)
+int OrderOf(int power, double relativeError)
 {
-  const double order = std::round(3.0 - 2.0 * std::log10(relativeError));
-  return static_cast<int>(std::min(std::max(order, 2.0), static_cast<double>(MostOrder)));
+  const double order = std::round((power == 1 ? 9.0 : 3.0) - 2.0 * std::log10(relativeError));
+  return static_cast<int>(std::min(std::max(order, 2.0), static_cast<double>(MostOrderOf(power))));
 }
 
-// What rounding in single precision adds at most, see BlockSum.h.
+// What rounding in single precision adds at most where charges are summed one by one, see
+// BlockSum.h.
 constexpr double Rounding = 1e-5;
+// The rest of the error is for rounding in expansions: monomials of degree n add up to no more than
+// (1 + sqrt(2))^n t^n, and t^(p + 1) is about the error, so 2^-24 of them is below a tenth of it.
+constexpr double Truncation = 0.9;
 constexpr int Leaf = 32;
 }
 
@@ -50,18 +54,19 @@ FieldScene PrepareField(BlobKind kind, std::vector<Charge>&& spheres, double rel
   charges.erase(std::remove_if(charges.begin(), charges.end(), [](const Charge& charge)
                   { return !(charge.Strength > 0.0f && charge.Radius > 0.0f); }),
     charges.end());
-  scene.Tree = BuildChargeTree(std::move(charges), Leaf);
+  scene.Tree = BuildChargeTree(std::move(charges), Leaf, parallelFor);
   const bool expanded = kind == BlobKind::Inverse || kind == BlobKind::InverseSquare;
-  scene.Error = relativeError > 0.0 ? relativeError - Rounding : 0.0;
+  scene.Error = relativeError > 0.0 ? Truncation * relativeError - Rounding : 0.0;
   if (relativeError > 0.0 && expanded)
   {
-    const int order = OrderOf(relativeError);
-    scene.Moments = ComputeMoments(scene.Tree, order, parallelFor);
+    const int power = kind == BlobKind::Inverse ? 1 : 2;
+    const int order = OrderOf(power, relativeError);
     for (int i = 0; i <= order; ++i)
     {
-      scene.Indices.emplace_back(i);
+      scene.Indices.emplace_back(power, i);
     }
-    scene.Nothing.assign(MostMonomials, 0.0f);
+    scene.Moments = ComputeMoments(scene.Tree, scene.Indices.back().Kept, parallelFor);
+    scene.Nothing.assign(MostKept, 0.0f);
   }
   return scene;
 }

@@ -5,6 +5,7 @@
 
 #include "metaballs/FieldGrid.h"
 #include "metaballs/Moments.h"
+#include "metaballs/TranslationIndex.h"
 
 namespace spherepacking
 {
@@ -25,8 +26,8 @@ struct FieldScene
   double Error = 1e-3; ///< relative, of a cluster's field; 0 to sum all one by one
   double MostWeight = 0.0;
   ClusterMoments Moments;
-  std::vector<MultiIndex> Indices; ///< of each order up to that of the moments
-  std::vector<float> Nothing;      ///< moments of no charges
+  std::vector<TranslationIndex> Indices; ///< of each order up to that of the moments
+  std::vector<float> Nothing;            ///< moments of no charges
 };
 
 /// Takes spheres whose strengths are their weights; those of radius or weight 0 are left out.

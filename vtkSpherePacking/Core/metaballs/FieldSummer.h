@@ -25,7 +25,7 @@ class FieldSummer
 public:
   explicit FieldSummer(const FieldScene& scene)
     : Scene(scene)
-    , Index(scene.Moments.Index)
+    , Kept(scene.Moments.Kept)
     , Sum(new BlockSum<InverseBlob<Power>>)
   {
   }
@@ -59,7 +59,7 @@ private:
     queues.AddTo(local);
     if (above)
     {
-      ShiftLocal(this->Index, *above, local);
+      ShiftLocal(this->Kept, this->Scene.Moments.All, *above, local);
     }
     if (last)
     {
@@ -152,8 +152,8 @@ private:
         const double inverse = 1.0 / distance;
         const Separation separation{ radius * inverse, node.Radius * inverse,
           node.MeanRadius * inverse };
-        const int order = OrderFor<Power>(separation, this->Scene.Error, this->Index.Order);
-        if (order <= this->Index.Order)
+        const int order = OrderFor<Power>(separation, this->Scene.Error, this->Kept.Order);
+        if (order <= this->Kept.Order)
         {
           queues.Add(at, away, inverse, order);
           continue;
@@ -174,10 +174,13 @@ private:
   void Write(const FieldBlock& block, const LocalExpansion& local, const Nodes& near)
   {
     const FieldGrid& grid = this->Scene.Grid;
-    this->WriteLocal(block, local, grid.Field, 1);
+    const MultiIndex& all = this->Scene.Moments.All;
+    const WholeExpansion whole = WholeOf(this->Kept, local, all);
+    this->WriteLocal(block, local.Center, whole, grid.Field, 1);
     for (int axis = 0; grid.Gradient && axis < 3; ++axis)
     {
-      this->WriteLocal(block, DerivativeOf(this->Index, local, axis), grid.Gradient + axis, 3);
+      this->WriteLocal(
+        block, local.Center, DerivativeOf(all, whole, axis), grid.Gradient + axis, 3);
     }
     if (!near.empty())
     {
@@ -185,24 +188,25 @@ private:
       for (const std::int32_t at : near)
       {
         const ChargeNode& node = this->Scene.Tree.Nodes[at];
-        this->Sum->Add(this->Scene.Tree.Charges.data() + node.First, node.Count);
+        this->Sum->Add(
+          this->Scene.Tree.Charges.data() + node.First, node.Count, node.Center, node.Radius);
       }
       this->Sum->End();
     }
   }
 
-  void WriteLocal(
-    const FieldBlock& block, const LocalExpansion& local, float* values, int stride) const
+  void WriteLocal(const FieldBlock& block, const double (&center)[3], const WholeExpansion& whole,
+    float* values, int stride) const
   {
     const FieldGrid& grid = this->Scene.Grid;
     LocalGrid places;
     for (int axis = 0; axis < 3; ++axis)
     {
-      places.First[axis] = grid.At(axis, block.First[axis]) - local.Center[axis];
+      places.First[axis] = grid.At(axis, block.First[axis]) - center[axis];
       places.Step[axis] = grid.Spacing[axis];
       places.Count[axis] = block.Count[axis];
     }
-    ForEachLocalValue(this->Index, local, places,
+    ForEachLocalValue(this->Scene.Moments.All, whole, places,
       [&](int x, int y, int z, const Float8& value)
       {
         float* to =
@@ -216,7 +220,7 @@ private:
   }
 
   const FieldScene& Scene;
-  const MultiIndex& Index;
+  const MultiIndex& Kept;
   Nodes Open;
   std::unique_ptr<BlockSum<InverseBlob<Power>>> Sum;
 };

@@ -2,8 +2,7 @@
 #ifndef LocalExpansion_h
 #define LocalExpansion_h
 
-#include "kernels/Simd.h"
-#include "metaballs/Moments.h"
+#include "metaballs/AxisShifts.h"
 
 #include <cstddef>
 
@@ -14,7 +13,7 @@ struct LocalExpansion
 {
   double Center[3];
   double Unit = 1.0;
-  double Derivatives[MostMonomials] = {}; ///< in the order of a MultiIndex
+  double Derivatives[MostKept] = {}; ///< in the order of a MultiIndex
 };
 
 /// A regular grid of places, from the centre of an expansion.
@@ -28,55 +27,53 @@ struct LocalGrid
 inline namespace SPHEREPACKING_ISA
 {
 /// Adds the same polynomial about another centre and in another unit.
-inline void ShiftLocal(const MultiIndex& index, const LocalExpansion& from, LocalExpansion& to)
+inline void ShiftLocal(
+  const MultiIndex& kept, const MultiIndex& all, const LocalExpansion& from, LocalExpansion& to)
 {
-  double point[3];
+  double away[3];
   for (int axis = 0; axis < 3; ++axis)
   {
-    point[axis] = (to.Center[axis] - from.Center[axis]) / from.Unit;
+    away[axis] = (to.Center[axis] - from.Center[axis]) / from.Unit;
   }
-  double shifts[MostMonomials];
-  Monomials(index, point, shifts);
+  double derivatives[MostKept];
+  std::copy_n(from.Derivatives, kept.Count, derivatives);
+  ShiftDerivatives(kept, all, away, derivatives);
   double shrinks[MostOrder + 1] = { 1.0 };
-  for (int n = 1; n <= index.Order; ++n)
+  for (int n = 1; n <= kept.Order; ++n)
   {
     shrinks[n] = shrinks[n - 1] * (to.Unit / from.Unit);
   }
-  ForEachMonomial(index,
-    [&](int i, int j, int k, int place)
-    {
-      const int most = index.Order - i - j - k;
-      double sum = 0.0;
-      for (int a = 0; a <= most; ++a)
-      {
-        for (int b = 0; a + b <= most; ++b)
-        {
-          const double* of = from.Derivatives + index.Rows[i + a][j + b] + k;
-          const double* by = shifts + index.Rows[a][b];
-          for (int c = 0; a + b + c <= most; ++c)
-          {
-            sum += of[c] * by[c];
-          }
-        }
-      }
-      to.Derivatives[place] += sum * shrinks[i + j + k];
-    });
+  ForEachMonomial(kept, [&](int i, int j, int k, int place)
+    { to.Derivatives[place] += derivatives[place] * shrinks[i + j + k]; });
+}
+
+/// A polynomial with all its derivatives, to be evaluated.
+struct WholeExpansion
+{
+  double Unit;
+  double Derivatives[MostMonomials]; ///< over the powers of `Unit`
+};
+
+inline WholeExpansion WholeOf(
+  const MultiIndex& kept, const LocalExpansion& local, const MultiIndex& all)
+{
+  WholeExpansion whole;
+  whole.Unit = local.Unit;
+  Unfold(kept, local.Derivatives, all, whole.Derivatives);
+  return whole;
 }
 
 /// Its derivative along an axis.
-inline LocalExpansion DerivativeOf(const MultiIndex& index, const LocalExpansion& local, int axis)
+inline WholeExpansion DerivativeOf(const MultiIndex& all, const WholeExpansion& whole, int axis)
 {
-  LocalExpansion result;
-  std::copy_n(local.Center, 3, result.Center);
-  result.Unit = local.Unit;
-  ForEachMonomial(index,
+  WholeExpansion result;
+  result.Unit = whole.Unit;
+  ForEachMonomial(all,
     [&](int i, int j, int k, int place)
     {
-      if (i + j + k < index.Order)
-      {
-        result.Derivatives[place] =
-          local.Derivatives[index(i + (axis == 0), j + (axis == 1), k + (axis == 2))] / local.Unit;
-      }
+      result.Derivatives[place] = i + j + k == all.Order
+        ? 0.0
+        : whole.Derivatives[all(i + (axis == 0), j + (axis == 1), k + (axis == 2))] / whole.Unit;
     });
   return result;
 }
@@ -85,52 +82,48 @@ inline LocalExpansion DerivativeOf(const MultiIndex& index, const LocalExpansion
 /// those beyond the last mean nothing.
 template <typename Add>
 inline void ForEachLocalValue(
-  const MultiIndex& index, const LocalExpansion& local, const LocalGrid& grid, Add add)
+  const MultiIndex& all, const WholeExpansion& whole, const LocalGrid& grid, Add add)
 {
-  const int order = index.Order;
+  const int order = all.Order;
   const auto at = [&](int axis, int i)
-  { return (grid.First[axis] + i * grid.Step[axis]) / local.Unit; };
+  { return (grid.First[axis] + i * grid.Step[axis]) / whole.Unit; };
   for (int z = 0; z < grid.Count[2]; ++z)
   {
-    double powers[MostOrder + 1] = { 1.0 };
-    for (int n = 1; n <= order; ++n)
-    {
-      powers[n] = powers[n - 1] * at(2, z) / n;
-    }
     double plane[MostOrder + 1][MostOrder + 1];
-    for (int i = 0; i <= order; ++i)
+    double power = 1.0;
+    for (int k = 0; k <= order; ++k)
     {
-      for (int j = 0; i + j <= order; ++j)
+      for (int j = 0; j + k <= order; ++j)
       {
-        const double* row = local.Derivatives + index.Rows[i][j];
-        double sum = 0.0;
-        for (int k = 0; i + j + k <= order; ++k)
+        const double* row = whole.Derivatives + all.Rows[k][j];
+        for (int i = 0; i + j + k <= order; ++i)
         {
-          sum += row[k] * powers[k];
+          plane[j][i] = k == 0 ? row[i] : plane[j][i] + row[i] * power;
         }
-        plane[i][j] = sum;
       }
+      power *= at(2, z) / (k + 1);
     }
     for (int y = 0; y < grid.Count[1]; ++y)
     {
-      for (int n = 1; n <= order; ++n)
+      double sums[MostOrder + 1];
+      power = 1.0;
+      for (int j = 0; j <= order; ++j)
       {
-        powers[n] = powers[n - 1] * at(1, y) / n;
+        for (int i = 0; i + j <= order; ++i)
+        {
+          sums[i] = j == 0 ? plane[j][i] : sums[i] + plane[j][i] * power;
+        }
+        power *= at(1, y) / (j + 1);
       }
       float line[MostOrder + 1];
       double factorial = 1.0;
       for (int i = 0; i <= order; ++i)
       {
-        double sum = 0.0;
-        for (int j = 0; i + j <= order; ++j)
-        {
-          sum += plane[i][j] * powers[j];
-        }
-        line[i] = static_cast<float>(sum / factorial);
+        line[i] = static_cast<float>(sums[i] / factorial);
         factorial *= i + 1;
       }
       const auto first = static_cast<float>(at(0, 0));
-      const auto step = static_cast<float>(grid.Step[0] / local.Unit);
+      const auto step = static_cast<float>(grid.Step[0] / whole.Unit);
       for (int x = 0; x < grid.Count[0]; x += 8)
       {
         const Float8 place =

@@ -13,25 +13,28 @@ namespace spherepacking
 /// the node's centre over the node's radius (over 1 if that is 0).
 struct ClusterMoments
 {
-  MultiIndex Index{ 0 };
-  std::vector<float> Values; ///< Index.Count of one node after the other
+  MultiIndex Kept{ 0, 0 };
+  MultiIndex All{ 0, 0 };    ///< to the same order, with all exponents of z
+  std::vector<float> Values; ///< Kept.Count of one node after the other
 
   SPHEREPACKING_INLINE const float* operator[](std::int32_t node) const
   {
-    return this->Values.data() + static_cast<std::size_t>(node) * this->Index.Count;
+    return this->Values.data() + static_cast<std::size_t>(node) * this->Kept.Count;
+  }
+  SPHEREPACKING_INLINE float* operator[](std::int32_t node)
+  {
+    return this->Values.data() + static_cast<std::size_t>(node) * this->Kept.Count;
   }
 };
 
-ClusterMoments ComputeMoments(const ChargeTree& tree, int order, const ParallelFor& parallelFor);
+ClusterMoments ComputeMoments(
+  const ChargeTree& tree, const MultiIndex& kept, const ParallelFor& parallelFor);
 
 /// The length that the monomials of a ball are divided by.
 SPHEREPACKING_INLINE double UnitOf(double radius)
 {
   return radius > 0.0 ? radius : 1.0;
 }
-
-/// x^i y^j z^k / (i! j! k!) for all i + j + k <= the order.
-void Monomials(const MultiIndex& index, const double (&point)[3], double* monomials);
 }
 
 #endif

@@ -111,7 +111,8 @@ private:
       }
       else
       {
-        this->Sum->Add(this->Scene.Tree.Charges.data() + node.First, node.Count);
+        this->Sum->Add(
+          this->Scene.Tree.Charges.data() + node.First, node.Count, node.Center, node.Radius);
       }
     }
   }

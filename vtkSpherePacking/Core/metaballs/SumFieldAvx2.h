@@ -9,6 +9,8 @@ namespace spherepacking
 // For processors with AVX2 and FMA; the results differ from those without by rounding.
 void SumFieldAvx2(const FieldScene& scene, const FieldBlock& block);
 void FindStrongestAvx2(const FieldScene& scene, const FieldBlock& block);
+void ComputeMomentsAvx2(
+  const ChargeTree& tree, const std::int32_t* nodes, int count, ClusterMoments& moments);
 }
 
 #endif

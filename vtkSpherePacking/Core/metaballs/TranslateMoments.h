@@ -69,6 +69,18 @@ inline void Correlate(int degree, const Float8* derivatives, const Float8* momen
       return Correlate<7>(derivatives, moments, sums);
     case 8:
       return Correlate<8>(derivatives, moments, sums);
+    case 9:
+      return Correlate<9>(derivatives, moments, sums);
+    case 10:
+      return Correlate<10>(derivatives, moments, sums);
+    case 11:
+      return Correlate<11>(derivatives, moments, sums);
+    case 12:
+      return Correlate<12>(derivatives, moments, sums);
+    case 13:
+      return Correlate<13>(derivatives, moments, sums);
+    case 14:
+      return Correlate<14>(derivatives, moments, sums);
     default:
       return Correlate<MostOrder>(derivatives, moments, sums);
   }
@@ -81,60 +93,54 @@ inline void Correlate(int degree, const Float8* derivatives, const Float8* momen
 /// Lengths are divided out before anything is raised to a power: neither small nor large clusters
 /// leave the range of single precision.
 template <int Power>
-inline void TranslateMoments(const MultiIndex& full, const MultiIndex& index,
+inline void TranslateMoments(const MultiIndex& full, const TranslationIndex& index,
   const Clusters& clusters, float unit, Float8* expansion)
 {
-  Float8 derivatives[MostMonomials];
-  PowerDerivatives<Power>(index, Load<Float8>(clusters.X), Load<Float8>(clusters.Y),
+  Float8 derivatives[MostSums + 1];
+  PowerDerivatives(index, Load<Float8>(clusters.X), Load<Float8>(clusters.Y),
     Load<Float8>(clusters.Z), derivatives);
 
+  const int order = index.Kept.Order;
+  const int top = index.Kept.Top;
   const Float8 inverse = Load<Float8>(clusters.InverseDistance);
   const Float8 shrink = Load<Float8>(clusters.Shrink);
   Float8 shrinks[MostOrder + 1];
   Float8 grows[MostOrder + 1];
   shrinks[0] = Float8{} + 1.0f;
   grows[0] = Power == 1 ? inverse : inverse * inverse;
-  for (int n = 1; n <= index.Order; ++n)
+  for (int n = 1; n <= order; ++n)
   {
     shrinks[n] = shrinks[n - 1] * shrink;
     grows[n] = grows[n - 1] * (inverse * unit);
   }
 
-  Float8 moments[MostMonomials];
-  const float* const* from = clusters.Moments;
-  for (int i = 0, place = 0; i <= index.Order; ++i)
-  {
-    for (int j = 0; i + j <= index.Order; ++j)
+  Float8 moments[MostKept];
+  ForEachMonomial(index.Kept,
+    [&](int i, int j, int k, int place)
     {
-      const int row = full.Rows[i][j];
-      for (int k = 0; i + j + k <= index.Order; ++k)
-      {
-        const int at = row + k;
-        moments[place++] = shrinks[i + j + k] *
-          Float8{ from[0][at], from[1][at], from[2][at], from[3][at], from[4][at], from[5][at],
-            from[6][at], from[7][at] };
-      }
-    }
-  }
+      const int at = full(i, j, k);
+      moments[place] = shrinks[i + j + k] * Gather(clusters.Moments, at);
+    });
 
-  for (int i = 0; i <= index.Order; ++i)
+  for (int k = 0; k <= top; ++k)
   {
-    for (int j = 0; i + j <= index.Order; ++j)
+    for (int j = 0; j + k <= order; ++j)
     {
-      const int most = index.Order - i - j;
-      Float8 sums[MostOrder + 1] = {};
-      for (int a = 0; a <= most; ++a)
+      const int most = order - j - k;
+      Float8 sums[MostOrder + 1];
+      std::fill_n(sums, most + 1, Float8{});
+      for (int c = 0; c <= std::min(top, most); ++c)
       {
-        for (int b = 0; a + b <= most; ++b)
+        for (int b = 0; b + c <= most; ++b)
         {
-          Correlate(
-            most - a - b, derivatives + index.Rows[i + a][j + b], moments + index.Rows[a][b], sums);
+          Correlate(most - b - c, derivatives + index.Sums.Rows[k + c][j + b],
+            moments + index.Kept.Rows[c][b], sums);
         }
       }
-      Float8* row = expansion + full.Rows[i][j];
-      for (int k = 0; k <= most; ++k)
+      Float8* row = expansion + full.Rows[k][j];
+      for (int i = 0; i <= most; ++i)
       {
-        row[k] += grows[i + j + k] * sums[k];
+        row[i] += grows[i + j + k] * sums[i];
       }
     }
   }

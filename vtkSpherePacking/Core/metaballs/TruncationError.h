@@ -22,8 +22,8 @@
 /// Both bound the error of each charge by T = (b + a) / R in place of t. They also bound that of
 /// the cluster, which is smaller as few charges are that far from its centre. At a place whose
 /// distance to the cluster's centre is D >= R - b, no charge is nearer than D - a, so the error is
-/// at most (D - a)^-v times the sum of q |e|. Let m^10 be the mean of y^10, weighted by q. For n <=
-/// 10 the mean of (b + y)^n is at most (b + m)^n, by Minkowski's inequality and since power means
+/// at most (D - a)^-v times the sum of q |e|. Let m^16 be the mean of y^16, weighted by q. For n <=
+/// 16 the mean of (b + y)^n is at most (b + m)^n, by Minkowski's inequality and since power means
 /// grow with the power. By Jensen's inequality the field is no less than (D + m)^-v times the sum
 /// of q. With s = (b + m) / R the relative error is at most
 ///
@@ -49,7 +49,7 @@
 namespace spherepacking
 {
 /// Power of the mean m above; no order may reach it.
-constexpr int MeanPower = 10;
+constexpr int MeanPower = 16;
 static_assert(MostOrder < MeanPower, "the bound holds for orders below the power of the mean");
 
 /// What the bound depends on: b, a and m above over R.
