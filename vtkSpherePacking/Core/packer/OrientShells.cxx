@@ -1,0 +1,339 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "packer/OrientShells.h"
+
+#include "packer/TriangleTree.h"
+
+#include <algorithm>
+#include <memory>
+#include <numeric>
+
+namespace spherepacking
+{
+namespace
+{
+using Ids = std::vector<std::int32_t>;
+
+void Turn(Triangle& triangle)
+{
+  std::swap(triangle[1], triangle[2]);
+}
+
+// Sets of numbers that grow together.
+class Union
+{
+public:
+  explicit Union(std::size_t count)
+    : Parents(count)
+  {
+    std::iota(this->Parents.begin(), this->Parents.end(), 0);
+  }
+  std::int32_t Find(std::int32_t i)
+  {
+    while (this->Parents[i] != i)
+    {
+      this->Parents[i] = this->Parents[this->Parents[i]];
+      i = this->Parents[i];
+    }
+    return i;
+  }
+  void Join(std::int32_t a, std::int32_t b) { this->Parents[this->Find(a)] = this->Find(b); }
+
+  // The members of each set, both in rising order.
+  std::vector<Ids> Sets()
+  {
+    std::vector<Ids> sets;
+    Ids number(this->Parents.size(), -1);
+    for (std::size_t i = 0; i < this->Parents.size(); ++i)
+    {
+      std::int32_t& at = number[this->Find(static_cast<std::int32_t>(i))];
+      if (at < 0)
+      {
+        at = static_cast<std::int32_t>(sets.size());
+        sets.emplace_back();
+      }
+      sets[at].push_back(static_cast<std::int32_t>(i));
+    }
+    return sets;
+  }
+
+private:
+  Ids Parents;
+};
+
+SurfaceMesh Part(const SurfaceMesh& mesh, const Ids& triangles)
+{
+  SurfaceMesh part;
+  for (const std::int32_t i : triangles)
+  {
+    Triangle triangle;
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      triangle[corner] = static_cast<std::int32_t>(part.Points.size());
+      part.Points.push_back(mesh.Corner(mesh.Triangles[i], corner));
+    }
+    part.Triangles.push_back(triangle);
+  }
+  return part;
+}
+
+// Turns the triangles of each patch alike: the fewer, by area, as the others are.
+std::vector<Ids> OrientPatches(SurfaceMesh& mesh)
+{
+  struct Link
+  {
+    std::int32_t Other;
+    bool Same; // both are turned the same way
+  };
+  const std::vector<MeshEdge> edges = EdgesOf(mesh);
+  std::vector<std::vector<Link>> links(mesh.Triangles.size());
+  ForEachEdgeGroup(edges,
+    [&](const MeshEdge* first, const MeshEdge* last)
+    {
+      if (last - first == 2)
+      {
+        const bool same = first[0].Forward != first[1].Forward;
+        links[first[0].Triangle].push_back({ first[1].Triangle, same });
+        links[first[1].Triangle].push_back({ first[0].Triangle, same });
+      }
+    });
+  std::vector<Ids> patches;
+  std::vector<int> turned(mesh.Triangles.size(), -1);
+  for (std::size_t seed = 0; seed < turned.size(); ++seed)
+  {
+    if (turned[seed] >= 0)
+    {
+      continue;
+    }
+    Ids patch{ static_cast<std::int32_t>(seed) };
+    turned[seed] = 0;
+    double areas[2] = {};
+    for (std::size_t i = 0; i < patch.size(); ++i)
+    {
+      const std::int32_t at = patch[i];
+      const Triangle& triangle = mesh.Triangles[at];
+      areas[turned[at]] += Length(Cross(mesh.Corner(triangle, 1) - mesh.Corner(triangle, 0),
+        mesh.Corner(triangle, 2) - mesh.Corner(triangle, 0)));
+      for (const Link& link : links[at])
+      {
+        if (turned[link.Other] < 0)
+        {
+          turned[link.Other] = link.Same ? turned[at] : 1 - turned[at];
+          patch.push_back(link.Other);
+        }
+      }
+    }
+    const int fewer = areas[1] > areas[0] ? 0 : 1;
+    for (const std::int32_t at : patch)
+    {
+      if (turned[at] == fewer)
+      {
+        Turn(mesh.Triangles[at]);
+      }
+    }
+    patches.push_back(std::move(patch));
+  }
+  return patches;
+}
+
+bool IsBalanced(const MeshEdge* first, const MeshEdge* last)
+{
+  std::int64_t sum = 0;
+  for (const MeshEdge* edge = first; edge != last; ++edge)
+  {
+    sum += edge->Forward ? 1 : -1;
+  }
+  return sum == 0;
+}
+
+// How many triangles a line from a place meets.
+int Crossings(const SurfaceMesh& mesh, const Ids& triangles, std::int32_t without,
+  const Vector3& place, const Vector3& direction)
+{
+  int crossings = 0;
+  for (const std::int32_t i : triangles)
+  {
+    if (i == without)
+    {
+      continue;
+    }
+    const Triangle& triangle = mesh.Triangles[i];
+    const Vector3 a = mesh.Corner(triangle, 0) - place;
+    const Vector3 b = mesh.Corner(triangle, 1) - place;
+    const Vector3 c = mesh.Corner(triangle, 2) - place;
+    const double u = Dot(direction, Cross(a, b));
+    const double v = Dot(direction, Cross(b, c));
+    const double w = Dot(direction, Cross(c, a));
+    const bool through = (u > 0.0) == (v > 0.0) && (v > 0.0) == (w > 0.0);
+    // In front: the triple product has the sign of the others.
+    crossings += through && (Dot(a, Cross(b, c)) > 0.0) == (u > 0.0) ? 1 : 0;
+  }
+  return crossings;
+}
+
+// Patches meet where more than two triangles do. From a triangle outwards, an even number of others
+// lies ahead; some triangles vote, since a line may meet an edge.
+void OrientByCrossings(SurfaceMesh& mesh, const Ids& shell, const Ids& patch)
+{
+  constexpr std::size_t voters = 15;
+  const std::size_t step = std::max<std::size_t>(1, patch.size() / voters);
+  int votes = 0;
+  for (std::size_t i = step / 2; i < patch.size(); i += step)
+  {
+    const Triangle& triangle = mesh.Triangles[patch[i]];
+    const Vector3 a = mesh.Corner(triangle, 0);
+    const Vector3 b = mesh.Corner(triangle, 1);
+    const Vector3 c = mesh.Corner(triangle, 2);
+    const Vector3 place = a + 0.31 * (b - a) + 0.36 * (c - a);
+    const Vector3 normal = Cross(b - a, c - a);
+    votes += Crossings(mesh, shell, patch[i], place, normal) % 2 == 0 ? 1 : -1;
+  }
+  for (std::size_t i = 0; votes < 0 && i < patch.size(); ++i)
+  {
+    Turn(mesh.Triangles[patch[i]]);
+  }
+}
+
+// Shells as lists of triangles, each turned so that its volume is above 0.
+std::vector<Ids> OrientEachShell(SurfaceMesh& mesh)
+{
+  const std::vector<Ids> patches = OrientPatches(mesh);
+  Union joined(mesh.Triangles.size());
+  const std::vector<MeshEdge> edges = EdgesOf(mesh);
+  Ids unbalanced;
+  ForEachEdgeGroup(edges,
+    [&](const MeshEdge* first, const MeshEdge* last)
+    {
+      for (const MeshEdge* edge = first + 1; edge != last; ++edge)
+      {
+        joined.Join(first->Triangle, edge->Triangle);
+      }
+      if (!IsBalanced(first, last))
+      {
+        unbalanced.push_back(first->Triangle);
+      }
+    });
+  const std::vector<Ids> shells = joined.Sets();
+  Ids shellOf(mesh.Triangles.size());
+  for (std::size_t i = 0; i < shells.size(); ++i)
+  {
+    for (const std::int32_t at : shells[i])
+    {
+      shellOf[at] = static_cast<std::int32_t>(i);
+    }
+  }
+  std::vector<bool> isUnbalanced(shells.size(), false);
+  for (const std::int32_t at : unbalanced)
+  {
+    isUnbalanced[shellOf[at]] = true;
+  }
+  for (const Ids& patch : patches)
+  {
+    const std::int32_t shell = shellOf[patch.front()];
+    if (isUnbalanced[shell])
+    {
+      OrientByCrossings(mesh, shells[shell], patch);
+    }
+  }
+  for (const Ids& shell : shells)
+  {
+    if (Part(mesh, shell).Volume() < 0.0)
+    {
+      for (const std::int32_t at : shell)
+      {
+        Turn(mesh.Triangles[at]);
+      }
+    }
+  }
+  return shells;
+}
+
+struct Box
+{
+  Vector3 Low;
+  Vector3 High;
+
+  bool Has(const Box& other) const
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      if (other.Low[axis] < this->Low[axis] || other.High[axis] > this->High[axis])
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+};
+
+Box BoxOf(const SurfaceMesh& mesh, const Ids& triangles)
+{
+  const Vector3 first = mesh.Corner(mesh.Triangles[triangles.front()], 0);
+  Box box{ first, first };
+  for (const std::int32_t at : triangles)
+  {
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      const Vector3 point = mesh.Corner(mesh.Triangles[at], corner);
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        box.Low[axis] = std::min(box.Low[axis], point[axis]);
+        box.High[axis] = std::max(box.High[axis], point[axis]);
+      }
+    }
+  }
+  return box;
+}
+
+bool LiesWithin(const SurfaceMesh& mesh, const Ids& shell, const TriangleTree& other)
+{
+  constexpr std::size_t samples = 16;
+  const std::size_t step = std::max<std::size_t>(1, shell.size() / samples);
+  for (std::size_t i = 0; i < shell.size(); i += step)
+  {
+    const Triangle& triangle = mesh.Triangles[shell[i]];
+    const Vector3 middle =
+      (1.0 / 3.0) * (mesh.Corner(triangle, 0) + mesh.Corner(triangle, 1) + mesh.Corner(triangle, 2));
+    if (other.WindingNumber(middle) < 0.5)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+}
+
+//------------------------------------------------------------------------------
+void OrientShells(SurfaceMesh& mesh)
+{
+  const std::vector<Ids> shells = OrientEachShell(mesh);
+  std::vector<Box> boxes;
+  for (const Ids& shell : shells)
+  {
+    boxes.push_back(BoxOf(mesh, shell));
+  }
+  std::vector<int> depths(shells.size(), 0);
+  for (std::size_t outer = 0; outer < shells.size(); ++outer)
+  {
+    std::unique_ptr<TriangleTree> tree;
+    for (std::size_t inner = 0; inner < shells.size(); ++inner)
+    {
+      if (inner == outer || !boxes[outer].Has(boxes[inner]))
+      {
+        continue;
+      }
+      if (!tree)
+      {
+        tree.reset(new TriangleTree(Part(mesh, shells[outer])));
+      }
+      depths[inner] += LiesWithin(mesh, shells[inner], *tree) ? 1 : 0;
+    }
+  }
+  for (std::size_t i = 0; i < shells.size(); ++i)
+  {
+    for (std::size_t at = 0; depths[i] % 2 != 0 && at < shells[i].size(); ++at)
+    {
+      Turn(mesh.Triangles[shells[i][at]]);
+    }
+  }
+}
+}

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef OrientShells_h
+#define OrientShells_h
+
+#include "packer/SurfaceMesh.h"
+
+namespace spherepacking
+{
+/// Turns the triangles of a surface without open edges outwards.
+///
+/// Triangles that share an edge with no third one are turned alike and make a patch. Patches that
+/// share an edge make a shell. A shell is turned so that it bounds what is inside of it; one that
+/// lies within an odd number of others bounds a hole.
+void OrientShells(SurfaceMesh& mesh);
+}
+
+#endif

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PackSpheres_h
+#define PackSpheres_h
+
+#include "kernels/BuildBvh.h"
+#include "packer/ClearanceTree.h"
+
+#include <functional>
+
+namespace spherepacking
+{
+/// When to stop, whichever comes first.
+struct PackingGoal
+{
+  std::int64_t Count;     ///< spheres
+  double LeastRadius;     ///< above 0
+  double Volume;          ///< of all spheres, or infinity
+  std::uint64_t Seed = 0; ///< where the octree lies
+};
+
+/// Is told how many spheres there are, and says whether to go on.
+using PackingProgress = std::function<bool(std::int64_t count, double volume)>;
+
+/// Fills the inside of a surface, whose triangles are turned outwards, with spheres that overlap
+/// neither each other nor the surface: again and again the largest that fits, to within a tenth.
+/// They are sorted, largest first. The result does not depend on the threads.
+///
+/// Leaves of an octree are split where the bound of the clearance is largest, as in a branch-and-bound
+/// search, of several at once. When a local maximum is within a tenth of the largest bound, it is
+/// a sphere.
+std::vector<PackedSphere> PackSpheres(const SurfaceMesh& mesh, const PackingGoal& goal,
+  const ParallelFor& parallelFor, const PackingProgress& progress);
+}
+
+#endif

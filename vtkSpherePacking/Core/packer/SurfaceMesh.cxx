@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "packer/SurfaceMesh.h"
+
+#include <algorithm>
+#include <numeric>
+#include <sstream>
+#include <tuple>
+
+namespace spherepacking
+{
+namespace
+{
+void Write(std::ostream& os, const Vector3& point)
+{
+  os << "(" << point.X << ", " << point.Y << ", " << point.Z << ")";
+}
+}
+
+//------------------------------------------------------------------------------
+double SurfaceMesh::Volume() const
+{
+  if (this->Points.empty())
+  {
+    return 0.0;
+  }
+  // From one of the points: far from the origin, differences of large products would lose digits.
+  const Vector3 origin = this->Points.front();
+  double sum = 0.0;
+  for (const Triangle& triangle : this->Triangles)
+  {
+    sum += Dot(this->Corner(triangle, 0) - origin,
+      Cross(this->Corner(triangle, 1) - origin, this->Corner(triangle, 2) - origin));
+  }
+  return sum / 6.0;
+}
+
+//------------------------------------------------------------------------------
+std::vector<MeshEdge> EdgesOf(const SurfaceMesh& mesh)
+{
+  std::vector<MeshEdge> edges;
+  edges.reserve(3 * mesh.Triangles.size());
+  for (std::size_t i = 0; i < mesh.Triangles.size(); ++i)
+  {
+    for (int side = 0; side < 3; ++side)
+    {
+      const std::int32_t from = mesh.Triangles[i][side];
+      const std::int32_t to = mesh.Triangles[i][(side + 1) % 3];
+      edges.push_back(
+        { std::min(from, to), std::max(from, to), static_cast<std::int32_t>(i), from < to });
+    }
+  }
+  std::sort(edges.begin(), edges.end(),
+    [](const MeshEdge& a, const MeshEdge& b)
+    { return std::tie(a.Low, a.High, a.Triangle) < std::tie(b.Low, b.High, b.Triangle); });
+  return edges;
+}
+
+//------------------------------------------------------------------------------
+void MergePoints(SurfaceMesh& mesh)
+{
+  const auto key = [&](std::int32_t i)
+  {
+    const Vector3& point = mesh.Points[i];
+    return std::tie(point.X, point.Y, point.Z);
+  };
+  std::vector<std::int32_t> order(mesh.Points.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(),
+    [&](std::int32_t a, std::int32_t b) { return key(a) != key(b) ? key(a) < key(b) : a < b; });
+  std::vector<std::int32_t> first(mesh.Points.size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    first[order[i]] =
+      i > 0 && key(order[i - 1]) == key(order[i]) ? first[order[i - 1]] : order[i];
+  }
+  std::vector<Triangle> triangles;
+  triangles.reserve(mesh.Triangles.size());
+  for (const Triangle& triangle : mesh.Triangles)
+  {
+    const Triangle merged = { first[triangle[0]], first[triangle[1]], first[triangle[2]] };
+    if (merged[0] != merged[1] && merged[1] != merged[2] && merged[2] != merged[0])
+    {
+      triangles.push_back(merged);
+    }
+  }
+  mesh.Triangles = std::move(triangles);
+}
+
+//------------------------------------------------------------------------------
+std::string DescribeOpenEdges(const SurfaceMesh& mesh)
+{
+  std::int64_t open = 0;
+  Vector3 ends[2];
+  ForEachEdgeGroup(EdgesOf(mesh),
+    [&](const MeshEdge* first, const MeshEdge* last)
+    {
+      if ((last - first) % 2 != 0 && open++ == 0)
+      {
+        ends[0] = mesh.Points[first->Low];
+        ends[1] = mesh.Points[first->High];
+      }
+    });
+  if (open == 0)
+  {
+    return {};
+  }
+  std::ostringstream text;
+  text.precision(9);
+  text << open << " open edge" << (open > 1 ? "s, the first" : "") << " from ";
+  Write(text, ends[0]);
+  text << " to ";
+  Write(text, ends[1]);
+  return text.str();
+}
+}

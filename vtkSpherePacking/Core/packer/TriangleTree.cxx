@@ -1,0 +1,326 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "packer/TriangleTree.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace spherepacking
+{
+namespace
+{
+constexpr std::int32_t Leaf = 4;
+constexpr double Pi = 3.14159265358979323846;
+// Distance over size from which a group of triangles counts as a dipole.
+constexpr double Far = 1.5;
+constexpr int MostDepth = 64; // nodes are halved by their number
+}
+
+//------------------------------------------------------------------------------
+Vector3 ClosestOnTriangle(const Vector3& place, const Vector3 (&corners)[3])
+{
+  const Vector3& a = corners[0];
+  const Vector3& b = corners[1];
+  const Vector3& c = corners[2];
+  const Vector3 ab = b - a;
+  const Vector3 ac = c - a;
+  const double d1 = Dot(ab, place - a);
+  const double d2 = Dot(ac, place - a);
+  if (d1 <= 0.0 && d2 <= 0.0)
+  {
+    return a;
+  }
+  const double d3 = Dot(ab, place - b);
+  const double d4 = Dot(ac, place - b);
+  if (d3 >= 0.0 && d4 <= d3)
+  {
+    return b;
+  }
+  const double d5 = Dot(ab, place - c);
+  const double d6 = Dot(ac, place - c);
+  if (d6 >= 0.0 && d5 <= d6)
+  {
+    return c;
+  }
+  const double ofC = d1 * d4 - d3 * d2;
+  if (ofC <= 0.0 && d1 >= 0.0 && d3 <= 0.0)
+  {
+    return a + (d1 > d3 ? d1 / (d1 - d3) : 0.0) * ab;
+  }
+  const double ofB = d5 * d2 - d1 * d6;
+  if (ofB <= 0.0 && d2 >= 0.0 && d6 <= 0.0)
+  {
+    return a + (d2 > d6 ? d2 / (d2 - d6) : 0.0) * ac;
+  }
+  const double ofA = d3 * d6 - d5 * d4;
+  const double toC = d4 - d3;
+  const double toB = d5 - d6;
+  if (ofA <= 0.0 && toC >= 0.0 && toB >= 0.0)
+  {
+    return b + (toC + toB > 0.0 ? toC / (toC + toB) : 0.0) * (c - b);
+  }
+  const double scale = 1.0 / (ofA + ofB + ofC);
+  return a + (ofB * scale) * ab + (ofC * scale) * ac;
+}
+
+//------------------------------------------------------------------------------
+double SolidAngle(const Vector3& place, const Vector3 (&corners)[3])
+{
+  const Vector3 a = corners[0] - place;
+  const Vector3 b = corners[1] - place;
+  const Vector3 c = corners[2] - place;
+  const double la = Length(a);
+  const double lb = Length(b);
+  const double lc = Length(c);
+  const double above = Dot(a, Cross(b, c));
+  const double below = la * lb * lc + Dot(a, b) * lc + Dot(b, c) * la + Dot(c, a) * lb;
+  return std::atan2(above, below) / (2.0 * Pi);
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> TriangleTree::ReflexAtPoints(const SurfaceMesh& mesh)
+{
+  const auto normal = [&](const MeshEdge& edge)
+  {
+    const Triangle& triangle = mesh.Triangles[edge.Triangle];
+    const Vector3 area = Cross(mesh.Corner(triangle, 1) - mesh.Corner(triangle, 0),
+      mesh.Corner(triangle, 2) - mesh.Corner(triangle, 0));
+    const double length = Length(area);
+    return length > 0.0 ? (1.0 / length) * area : area;
+  };
+  std::vector<double> reflex(mesh.Points.size(), 0.0);
+  ForEachEdgeGroup(EdgesOf(mesh),
+    [&](const MeshEdge* first, const MeshEdge* last)
+    {
+      double sine = 1.0;
+      if (last - first == 2)
+      {
+        const Vector3 turn = Cross(normal(first[0]), normal(first[1]));
+        const Vector3 along = mesh.Points[first->High] - mesh.Points[first->Low];
+        // Outside of a convex edge, its direction in the first triangle is that of the turn.
+        const bool convex = (Dot(turn, along) > 0.0) == first->Forward;
+        sine = convex ? 0.0 : Length(turn);
+      }
+      for (const std::int32_t point : { first->Low, first->High })
+      {
+        reflex[point] = std::max(reflex[point], sine);
+      }
+    });
+  return reflex;
+}
+
+//------------------------------------------------------------------------------
+TriangleTree::TriangleTree(const SurfaceMesh& mesh)
+{
+  const std::vector<double> reflex = ReflexAtPoints(mesh);
+  this->Triangles.reserve(mesh.Triangles.size());
+  for (const Triangle& triangle : mesh.Triangles)
+  {
+    this->Triangles.push_back(
+      { { mesh.Corner(triangle, 0), mesh.Corner(triangle, 1), mesh.Corner(triangle, 2) },
+        std::max(std::max(reflex[triangle[0]], reflex[triangle[1]]), reflex[triangle[2]]) });
+  }
+  if (!this->Triangles.empty())
+  {
+    this->Build(0, static_cast<std::int32_t>(this->Triangles.size()));
+  }
+}
+
+//------------------------------------------------------------------------------
+std::int32_t TriangleTree::Build(std::int32_t first, std::int32_t count)
+{
+  const auto at = static_cast<std::int32_t>(this->Nodes.size());
+  Node node;
+  node.First = first;
+  node.Count = count;
+  this->Measure(node);
+  this->Nodes.push_back(node);
+  if (count <= Leaf)
+  {
+    return at;
+  }
+  int axis = 0;
+  for (int other = 1; other < 3; ++other)
+  {
+    axis = node.High[other] - node.Low[other] > node.High[axis] - node.Low[axis] ? other : axis;
+  }
+  const auto middle = [axis](const Corners& corners)
+  { return corners.Of[0][axis] + corners.Of[1][axis] + corners.Of[2][axis]; };
+  const auto begin = this->Triangles.begin() + first;
+  std::nth_element(begin, begin + count / 2, begin + count,
+    [&](const Corners& a, const Corners& b) { return middle(a) < middle(b); });
+  this->Build(first, count / 2);
+  const std::int32_t child = this->Build(first + count / 2, count - count / 2);
+  this->Nodes[at].Child = child;
+  return at;
+}
+
+//------------------------------------------------------------------------------
+void TriangleTree::Measure(Node& node) const
+{
+  std::fill_n(node.Low, 3, std::numeric_limits<double>::infinity());
+  std::fill_n(node.High, 3, -std::numeric_limits<double>::infinity());
+  double areas = 0.0;
+  const Corners* triangles = this->Triangles.data() + node.First;
+  for (std::int32_t i = 0; i < node.Count; ++i)
+  {
+    const Vector3(&corners)[3] = triangles[i].Of;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      for (const Vector3& corner : corners)
+      {
+        node.Low[axis] = std::min(node.Low[axis], corner[axis]);
+        node.High[axis] = std::max(node.High[axis], corner[axis]);
+      }
+    }
+    const Vector3 area = 0.5 * Cross(corners[1] - corners[0], corners[2] - corners[0]);
+    node.Area = node.Area + area;
+    areas += Length(area);
+    node.Middle =
+      node.Middle + (Length(area) / 3.0) * (corners[0] + corners[1] + corners[2]);
+  }
+  const Vector3 low = { node.Low[0], node.Low[1], node.Low[2] };
+  const Vector3 high = { node.High[0], node.High[1], node.High[2] };
+  node.Middle = areas > 0.0 ? (1.0 / areas) * node.Middle : 0.5 * (low + high);
+  for (std::int32_t i = 0; i < node.Count; ++i)
+  {
+    for (const Vector3& corner : triangles[i].Of)
+    {
+      node.Radius = std::max(node.Radius, Length(corner - node.Middle));
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+double TriangleTree::SquareToBox(const Node& node, const Vector3& place)
+{
+  double square = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double outside =
+      std::max(std::max(node.Low[axis] - place[axis], place[axis] - node.High[axis]), 0.0);
+    square += outside * outside;
+  }
+  return square;
+}
+
+//------------------------------------------------------------------------------
+bool TriangleTree::Closest(const Vector3& place, double& distance, Nearest& nearest) const
+{
+  struct Entry
+  {
+    std::int32_t Node;
+    double Square;
+  };
+  Entry open[2 * MostDepth];
+  int count = 0;
+  double best = distance * distance;
+  bool found = false;
+  if (!this->Nodes.empty())
+  {
+    open[count++] = { 0, SquareToBox(this->Nodes[0], place) };
+  }
+  while (count > 0)
+  {
+    const Entry entry = open[--count];
+    if (!(entry.Square < best))
+    {
+      continue;
+    }
+    const Node& node = this->Nodes[entry.Node];
+    if (node.Child < 0)
+    {
+      for (std::int32_t i = node.First; i < node.First + node.Count; ++i)
+      {
+        const Vector3 point = ClosestOnTriangle(place, this->Triangles[i].Of);
+        const Vector3 away = place - point;
+        const double square = Dot(away, away);
+        if (square < best)
+        {
+          best = square;
+          nearest = { point, i };
+          found = true;
+        }
+      }
+      continue;
+    }
+    Entry near = { entry.Node + 1, SquareToBox(this->Nodes[entry.Node + 1], place) };
+    Entry far = { node.Child, SquareToBox(this->Nodes[node.Child], place) };
+    if (far.Square < near.Square)
+    {
+      std::swap(near, far);
+    }
+    open[count++] = far;
+    open[count++] = near;
+  }
+  if (found)
+  {
+    distance = std::sqrt(best);
+  }
+  return found;
+}
+
+//------------------------------------------------------------------------------
+double TriangleTree::BendBelow(const Nearest& nearest, double distance) const
+{
+  const Corners& triangle = this->Triangles[nearest.Triangle];
+  double margin = std::numeric_limits<double>::infinity();
+  double longest = 0.0;
+  for (int side = 0; side < 3; ++side)
+  {
+    const Vector3 edge = triangle.Of[(side + 1) % 3] - triangle.Of[side];
+    const double length = Length(edge);
+    const double area = Length(Cross(edge, nearest.Point - triangle.Of[side]));
+    margin = std::min(margin, length > 0.0 ? area / length : 0.0);
+    longest = std::max(longest, length);
+  }
+  // Of many triangles in a row, each may bend as much as the first.
+  const double beyond = std::max(distance - margin, 0.0);
+  return beyond * std::min(1.0, triangle.Reflex * (1.0 + beyond / longest));
+}
+
+//------------------------------------------------------------------------------
+TriangleTree::Nearest TriangleTree::ClosestOn(
+  std::int32_t triangle, const Vector3& place, bool& inside) const
+{
+  const Vector3(&corners)[3] = this->Triangles[triangle].Of;
+  const Vector3 normal = Cross(corners[1] - corners[0], corners[2] - corners[0]);
+  inside = Dot(place - corners[0], normal) < 0.0;
+  return { ClosestOnTriangle(place, corners), triangle };
+}
+
+//------------------------------------------------------------------------------
+double TriangleTree::WindingNumber(const Vector3& place) const
+{
+  std::int32_t open[2 * MostDepth];
+  int count = 0;
+  double sum = 0.0;
+  if (!this->Nodes.empty())
+  {
+    open[count++] = 0;
+  }
+  while (count > 0)
+  {
+    const std::int32_t at = open[--count];
+    const Node& node = this->Nodes[at];
+    const Vector3 away = node.Middle - place;
+    const double distance = Length(away);
+    if (distance > Far * node.Radius)
+    {
+      sum += Dot(away, node.Area) / (4.0 * Pi * distance * distance * distance);
+    }
+    else if (node.Child < 0)
+    {
+      for (std::int32_t i = node.First; i < node.First + node.Count; ++i)
+      {
+        sum += SolidAngle(place, this->Triangles[i].Of);
+      }
+    }
+    else
+    {
+      open[count++] = node.Child;
+      open[count++] = at + 1;
+    }
+  }
+  return sum;
+}
+}

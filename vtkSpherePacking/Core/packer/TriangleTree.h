@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TriangleTree_h
+#define TriangleTree_h
+
+#include "packer/SurfaceMesh.h"
+
+namespace spherepacking
+{
+/// Distances to triangles, and on which side of them a place lies, through a tree of boxes.
+class TriangleTree
+{
+public:
+  explicit TriangleTree(const SurfaceMesh& mesh);
+
+  struct Nearest
+  {
+    Vector3 Point;
+    std::int32_t Triangle = -1; ///< in the order of the tree
+  };
+
+  /// Whether a triangle is nearer than `distance`, which becomes that of the nearest, and its
+  /// nearest point.
+  bool Closest(const Vector3& place, double& distance, Nearest& nearest) const;
+
+  /// By about how much the surface may be further out than the triangle's plane, at places whose
+  /// projection is no further from its nearest point than `distance`. It is where edges are reflex.
+  double BendBelow(const Nearest& nearest, double distance) const;
+
+  /// The same for another place, and whether that is on the inner side of the triangle.
+  Nearest ClosestOn(std::int32_t triangle, const Vector3& place, bool& inside) const;
+
+  /// How often the surface goes around a place: 1 inside and 0 outside of one that is closed and
+  /// turned outwards. Near to open edges, or to triangles that are turned the wrong way, it is in
+  /// between.
+  ///
+  /// Groups of triangles that are far away, compared with their size, count as one dipole, so it is
+  /// right to about 0.15, which tells inside from outside.
+  /// Sources: Jacobson, Kavan and Sorkine-Hornung, "Robust inside-outside segmentation using
+  /// generalized winding numbers" (2013); Barill, Dickson, Schmidt, Levin and Jacobson, "Fast
+  /// winding numbers for soups and clouds" (2018).
+  double WindingNumber(const Vector3& place) const;
+
+private:
+  struct Node
+  {
+    double Low[3];
+    double High[3];
+    Vector3 Middle;      ///< of the triangles' areas
+    Vector3 Area;        ///< sum of the triangles' areas times their normals
+    double Radius = 0.0; ///< of a ball about the middle
+    std::int32_t First = 0;
+    std::int32_t Count = 0;
+    std::int32_t Child = -1; ///< the second; the first comes next
+  };
+  struct Corners
+  {
+    Vector3 Of[3];
+    double Reflex; ///< sine of the largest reflex angle at its corners
+  };
+
+  static std::vector<double> ReflexAtPoints(const SurfaceMesh& mesh);
+  std::int32_t Build(std::int32_t first, std::int32_t count);
+  void Measure(Node& node) const;
+  static double SquareToBox(const Node& node, const Vector3& place);
+
+  std::vector<Corners> Triangles;
+  std::vector<Node> Nodes;
+};
+
+/// The point of a triangle that is nearest to a place.
+/// Source: Ericson, "Real-time collision detection" (2005), section 5.1.5.
+Vector3 ClosestOnTriangle(const Vector3& place, const Vector3 (&corners)[3]);
+
+/// The solid angle of a triangle seen from a place, over 4 pi; positive from behind.
+/// Source: Van Oosterom and Strackee, "The solid angle of a plane triangle" (1983).
+double SolidAngle(const Vector3& place, const Vector3 (&corners)[3]);
+}
+
+#endif
