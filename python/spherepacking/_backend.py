@@ -64,6 +64,7 @@ _rendering = _load("vtkSpherePackingRendering")
 reference = importlib.import_module(f"{VTK_ROOT}.vtkCommonCore").reference
 vtkCamera = importlib.import_module(f"{VTK_ROOT}.vtkRenderingCore").vtkCamera
 vtkMetaballField = _core.vtkMetaballField
+vtkSpherePacker = _core.vtkSpherePacker
 vtkSpherePackingBVH = _core.vtkSpherePackingBVH
 vtkSpherePackingGrid = _core.vtkSpherePackingGrid
 vtkSpherePackingInput = _core.vtkSpherePackingInput
@@ -73,6 +74,7 @@ vtkSpherePackingTracer = _core.vtkSpherePackingTracer
 vtkSpherePackingWriter = _core.vtkSpherePackingWriter
 vtkFlyingEdges3D = importlib.import_module(f"{VTK_ROOT}.vtkFiltersCore").vtkFlyingEdges3D
 vtkGlyph3DMapper = importlib.import_module(f"{VTK_ROOT}.vtkRenderingCore").vtkGlyph3DMapper
+vtkOFFReader = importlib.import_module(f"{VTK_ROOT}.vtkIOGeometry").vtkOFFReader
 # Stock VTK has it, cvista does not.
 vtkOpenGLSphereMapper = getattr(_opengl, "vtkOpenGLSphereMapper", None)
 vtkOpenGLSpherePackingMapper = _rendering.vtkOpenGLSpherePackingMapper

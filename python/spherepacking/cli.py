@@ -402,6 +402,51 @@ def convert(source: Path, target: Path, /) -> None:
 
 
 @app.command
+def pack(
+    mesh: Path,
+    target: Path,
+    /,
+    *,
+    count: int = 1000,
+    seed: int = 0,
+    min_radius: float | None = None,
+    fraction: float | None = None,
+) -> None:
+    """Fill a closed surface with spheres and write the packing.
+
+    Ctrl-C ends it and writes the spheres that are there.
+
+    Parameters
+    ----------
+    mesh
+        File with the surface, of any format that PyVista reads, or .off.
+    target
+        File to write; its extension decides about the format.
+    count
+        How many spheres at most.
+    seed
+        Another number gives another packing.
+    min_radius
+        Radii are above this, in the unit of the surface.
+    fraction
+        Part of the volume that is enough, above 0 and up to 1.
+    """
+    _load()
+
+    from ._pack_file import pack_file
+
+    if not pack_file(
+        mesh.expanduser(),
+        target.expanduser(),
+        count=count,
+        seed=seed,
+        min_radius=min_radius,
+        fraction=fraction,
+    ):
+        raise KeyboardInterrupt
+
+
+@app.command
 def bench(
     *,
     counts: Annotated[tuple[int, ...], Parameter(consume_multiple=True, negative=())] = (

@@ -6,16 +6,16 @@
 
 namespace spherepacking
 {
-/// The sphere that is found from a place by going where the clearance grows, until steps as small as
-/// a millionth of it do not help.
+/// The sphere that is found from a place by going where the clearance grows, until steps as small
+/// as a millionth of it do not help.
 ///
 /// The clearance is the least of many distances. Those within a step of the least have gradients,
 /// of which the shortest vector in their convex hull is the way of steepest ascent; where it
 /// vanishes the steps become shorter. Of the surface, the nearest points of all places so far are
 /// kept, as planes: a nearest point that stops a step turns the next.
 ///
-/// Sources: Wolfe, "Finding the nearest point in a polytope" (1976), for the shortest vector; Kiwiel,
-/// "Methods of descent for nondifferentiable optimization" (1985), for the planes.
+/// Sources: Wolfe, "Finding the nearest point in a polytope" (1976), for the shortest vector;
+/// Kiwiel, "Methods of descent for nondifferentiable optimization" (1985), for the planes.
 PackedSphere Ascend(const ClearanceTree& tree, const Vector3& start, double step);
 }
 

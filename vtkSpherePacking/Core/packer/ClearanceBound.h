@@ -11,11 +11,12 @@ namespace spherepacking
 /// An upper bound of the least of several distances, everywhere in a ball.
 ///
 /// Away by u from the ball's middle, the distance to a sphere whose centre is at -a is at most
-/// |a| + n u + u^2 / (2 |a|) less its radius, where n = a / |a|, as the square root is concave. The least
-/// of several is no more than any mean of theirs with weights w: at most the mean of the distances in
-/// the middle, plus h |mean of n|, plus the mean of h^2 / (2 |a|), for the ball's radius h. Weights for
-/// which the mean of n is short are found step by step, as in "An algorithm for quadratic programming"
-/// (Frank and Wolfe, 1956): where spheres are all around, the bound is hardly above the distance.
+/// |a| + n u + u^2 / (2 |a|) less its radius, where n = a / |a|, as the square root is concave. The
+/// least of several is no more than any mean of theirs with weights w: at most the mean of the
+/// distances in the middle, plus h |mean of n|, plus the mean of h^2 / (2 |a|), for the ball's
+/// radius h. Weights for which the mean of n is short are found step by step, as in "An algorithm
+/// for quadratic programming" (Frank and Wolfe, 1956): where spheres are all around, the bound is
+/// hardly above the distance.
 class ClearanceBound
 {
 public:

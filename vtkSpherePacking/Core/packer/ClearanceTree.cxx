@@ -26,7 +26,8 @@ bool IsInside(const TriangleTree& surface, const Vector3& place)
 float Above(double bound)
 {
   const auto rounded = static_cast<float>(bound);
-  return rounded < bound ? std::nextafter(rounded, std::numeric_limits<float>::infinity()) : rounded;
+  return rounded < bound ? std::nextafter(rounded, std::numeric_limits<float>::infinity())
+                         : rounded;
 }
 
 float TowardsZero(double distance)
@@ -136,8 +137,7 @@ void ClearanceTree::FindBound(const Cell& parent,
     if (triangle >= 0 && triangle != nearest[number].Triangle)
     {
       bool inside;
-      const TriangleTree::Nearest on =
-        this->Surface.ClosestOn(triangle, child.Middle, inside);
+      const TriangleTree::Nearest on = this->Surface.ClosestOn(triangle, child.Middle, inside);
       const double distance = Length(child.Middle - on.Point);
       if (inside && distance < most && distance > diagonal)
       {

@@ -291,8 +291,8 @@ bool LiesWithin(const SurfaceMesh& mesh, const Ids& shell, const TriangleTree& o
   for (std::size_t i = 0; i < shell.size(); i += step)
   {
     const Triangle& triangle = mesh.Triangles[shell[i]];
-    const Vector3 middle =
-      (1.0 / 3.0) * (mesh.Corner(triangle, 0) + mesh.Corner(triangle, 1) + mesh.Corner(triangle, 2));
+    const Vector3 middle = (1.0 / 3.0) *
+      (mesh.Corner(triangle, 0) + mesh.Corner(triangle, 1) + mesh.Corner(triangle, 2));
     if (other.WindingNumber(middle) < 0.5)
     {
       return false;

@@ -174,8 +174,9 @@ private:
         this->Most = this->TopOf(entry.Band);
       }
       const bool climbs = cell.Diagonal() < Small * cell.Bound;
-      if (climbs && std::any_of(climbers.begin(), climbers.end(), [&](const Vector3& other)
-                      { return Length(other - cell.Middle) < this->Most; }))
+      if (climbs &&
+        std::any_of(climbers.begin(), climbers.end(),
+          [&](const Vector3& other) { return Length(other - cell.Middle) < this->Most; }))
       {
         this->Waiting.push_back(entry);
         if (this->Waiting.size() > 8 * MostLeaves)
@@ -246,8 +247,8 @@ private:
       if (!this->IsDone() && this->IsFree(sphere, before))
       {
         this->Tree.Insert(sphere, this->Most);
-        this->Volume += 4.0 / 3.0 * 3.14159265358979323846 * sphere.Radius * sphere.Radius *
-          sphere.Radius;
+        this->Volume +=
+          4.0 / 3.0 * 3.14159265358979323846 * sphere.Radius * sphere.Radius * sphere.Radius;
       }
     }
     for (const Task& task : this->Tasks)

@@ -25,9 +25,9 @@ using PackingProgress = std::function<bool(std::int64_t count, double volume)>;
 /// neither each other nor the surface: again and again the largest that fits, to within a tenth.
 /// They are sorted, largest first. The result does not depend on the threads.
 ///
-/// Leaves of an octree are split where the bound of the clearance is largest, as in a branch-and-bound
-/// search, of several at once. When a local maximum is within a tenth of the largest bound, it is
-/// a sphere.
+/// Leaves of an octree are split where the bound of the clearance is largest, as in a
+/// branch-and-bound search, of several at once. When a local maximum is within a tenth of the
+/// largest bound, it is a sphere.
 std::vector<PackedSphere> PackSpheres(const SurfaceMesh& mesh, const PackingGoal& goal,
   const ParallelFor& parallelFor, const PackingProgress& progress);
 }

@@ -49,8 +49,7 @@ std::vector<MeshEdge> EdgesOf(const SurfaceMesh& mesh)
         { std::min(from, to), std::max(from, to), static_cast<std::int32_t>(i), from < to });
     }
   }
-  std::sort(edges.begin(), edges.end(),
-    [](const MeshEdge& a, const MeshEdge& b)
+  std::sort(edges.begin(), edges.end(), [](const MeshEdge& a, const MeshEdge& b)
     { return std::tie(a.Low, a.High, a.Triangle) < std::tie(b.Low, b.High, b.Triangle); });
   return edges;
 }
@@ -70,8 +69,7 @@ void MergePoints(SurfaceMesh& mesh)
   std::vector<std::int32_t> first(mesh.Points.size());
   for (std::size_t i = 0; i < order.size(); ++i)
   {
-    first[order[i]] =
-      i > 0 && key(order[i - 1]) == key(order[i]) ? first[order[i - 1]] : order[i];
+    first[order[i]] = i > 0 && key(order[i - 1]) == key(order[i]) ? first[order[i - 1]] : order[i];
   }
   std::vector<Triangle> triangles;
   triangles.reserve(mesh.Triangles.size());

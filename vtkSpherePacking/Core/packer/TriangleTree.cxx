@@ -175,8 +175,7 @@ void TriangleTree::Measure(Node& node) const
     const Vector3 area = 0.5 * Cross(corners[1] - corners[0], corners[2] - corners[0]);
     node.Area = node.Area + area;
     areas += Length(area);
-    node.Middle =
-      node.Middle + (Length(area) / 3.0) * (corners[0] + corners[1] + corners[2]);
+    node.Middle = node.Middle + (Length(area) / 3.0) * (corners[0] + corners[1] + corners[2]);
   }
   const Vector3 low = { node.Low[0], node.Low[1], node.Low[2] };
   const Vector3 high = { node.High[0], node.High[1], node.High[2] };

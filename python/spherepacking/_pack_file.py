@@ -1,0 +1,109 @@
+"""From a file with a surface to a file with its packing."""
+
+from __future__ import annotations
+
+import sys
+import warnings
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+import numpy as np
+import pyvista as pv
+
+from ._pack import pack
+from .writers import write
+
+
+def read_surface(path: Path) -> pv.PolyData:
+    """Read a surface of any format that PyVista reads, or OFF.
+
+    Parameters
+    ----------
+    path : pathlib.Path
+        File to read.
+
+    Returns
+    -------
+    pyvista.PolyData
+        The surface.
+
+    Raises
+    ------
+    FileNotFoundError
+        If there is no such file.
+    ValueError
+        If the file holds no surface.
+    """
+    if not path.is_file():
+        raise FileNotFoundError(f"{path}: there is no such file")
+    if path.suffix.lower() == ".off":
+        from ._backend import vtkOFFReader
+
+        reader = vtkOFFReader()
+        reader.SetFileName(str(path))
+        reader.Update()
+        mesh = pv.PolyData()
+        mesh.ShallowCopy(reader.GetOutput())
+    else:
+        try:
+            mesh = pv.read(path)
+        except (OSError, TypeError, ImportError) as error:
+            raise ValueError(f"{path}: is no surface that can be read: {error}") from None
+        if isinstance(mesh, pv.MultiBlock):
+            mesh = mesh.combine()
+        if not isinstance(mesh, pv.PolyData):
+            mesh = mesh.extract_surface(algorithm=None)
+    if not mesh.n_faces + mesh.n_strips:
+        raise ValueError(f"{path}: found no polygons, expected a closed surface")
+    return mesh
+
+
+def pack_file(
+    source: Path,
+    target: Path,
+    *,
+    count: int,
+    seed: int,
+    min_radius: float | None,
+    fraction: float | None,
+) -> bool:
+    """Pack the surface of a file, write the packing and say how full it is.
+
+    Parameters
+    ----------
+    source : pathlib.Path
+        File with the surface.
+    target : pathlib.Path
+        File to write.
+    count, seed, min_radius, fraction
+        See :func:`spherepacking.pack`.
+
+    Returns
+    -------
+    bool
+        False if Ctrl-C ended it early; the spheres that were there are written.
+    """
+    if not target.parent.is_dir():
+        raise FileNotFoundError(f"{target}: there is no folder {target.parent}")
+    with TemporaryDirectory() as folder:
+        # What cannot be written is better known before the work than after it.
+        trial = pv.PolyData(np.zeros((1, 3)))
+        trial["radius"] = np.ones(1)
+        write(trial, Path(folder) / target.name)
+    mesh = read_surface(source)
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        packing = pack(
+            mesh,
+            count,
+            seed=seed,
+            min_radius=min_radius,
+            fraction=fraction,
+            progress_bar=sys.stderr.isatty(),
+        )
+    write(packing, target)
+    filled = float(packing.field_data["volume_fraction"][0])
+    print(f"{packing.n_points} spheres fill {filled:.1%} of the volume")
+    for warning in caught:
+        print(warning.message, file=sys.stderr)
+    return not caught

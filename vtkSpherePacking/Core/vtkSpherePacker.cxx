@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSpherePacker.h"
+
+#include "vtkSpherePackingFields.h"
+#include "vtkSpherePackingParallelFor.h"
+
+#include "io/PackingArrays.h"
+#include "packer/OrientShells.h"
+#include "packer/PackSpheres.h"
+
+#include "vtkCell.h"
+#include "vtkCellArray.h"
+#include "vtkErrorCode.h"
+#include "vtkGenericCell.h"
+#include "vtkIdList.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <new>
+#include <sstream>
+#include <stdexcept>
+
+vtkStandardNewMacro(vtkSpherePacker);
+
+using spherepacking::PackedSphere;
+using spherepacking::SurfaceMesh;
+using spherepacking::Vector3;
+
+namespace
+{
+using Clock = std::chrono::steady_clock;
+
+[[noreturn]] void Refuse(const std::string& argument, double found, const char* expected)
+{
+  std::ostringstream text;
+  text << argument << ": found " << found << ", expected " << expected;
+  throw std::invalid_argument(text.str());
+}
+
+// Lengths about 1 around the origin: what is far away loses no digits in between, and what is very
+// large or small does not leave the range of single precision.
+struct Frame
+{
+  Vector3 Middle;
+  double Unit; // a power of two
+
+  explicit Frame(const double (&box)[6])
+    : Middle{ 0.5 * (box[0] + box[1]), 0.5 * (box[2] + box[3]), 0.5 * (box[4] + box[5]) }
+  {
+    const double most = std::max(std::max(box[1] - box[0], box[3] - box[2]), box[5] - box[4]);
+    this->Unit = most > 0.0 ? std::exp2(std::round(std::log2(most))) : 1.0;
+  }
+};
+
+// All polygons and strips as triangles; other cells are left out.
+SurfaceMesh MeshOf(vtkPolyData* surface)
+{
+  SurfaceMesh mesh;
+  mesh.Points.resize(static_cast<std::size_t>(surface->GetNumberOfPoints()));
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    double point[3];
+    surface->GetPoint(i, point);
+    if (!std::isfinite(point[0] + point[1] + point[2]))
+    {
+      throw std::invalid_argument("surface: found coordinates of point " + std::to_string(i) +
+        " that are not finite, expected numbers");
+    }
+    mesh.Points[i] = { point[0], point[1], point[2] };
+  }
+  vtkNew<vtkGenericCell> cell;
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType i = 0; i < surface->GetNumberOfCells(); ++i)
+  {
+    surface->GetCell(i, cell);
+    if (cell->GetCellDimension() != 2)
+    {
+      continue;
+    }
+    cell->TriangulateIds(0, corners);
+    for (vtkIdType corner = 0; corner + 2 < corners->GetNumberOfIds(); corner += 3)
+    {
+      mesh.Triangles.push_back({ static_cast<std::int32_t>(corners->GetId(corner)),
+        static_cast<std::int32_t>(corners->GetId(corner + 1)),
+        static_cast<std::int32_t>(corners->GetId(corner + 2)) });
+    }
+  }
+  return mesh;
+}
+
+// A closed surface, turned outwards.
+SurfaceMesh PrepareMesh(vtkPolyData* surface, const Frame& frame)
+{
+  if (surface->GetNumberOfPoints() > std::numeric_limits<std::int32_t>::max())
+  {
+    throw std::invalid_argument("surface: found more than 2147483647 points, expected fewer");
+  }
+  SurfaceMesh mesh = MeshOf(surface);
+  spherepacking::MergePoints(mesh);
+  if (mesh.Triangles.empty())
+  {
+    throw std::invalid_argument("surface: found no triangles, expected a closed surface");
+  }
+  const std::string open = spherepacking::DescribeOpenEdges(mesh);
+  if (!open.empty())
+  {
+    throw std::invalid_argument("surface: found " + open + ", expected a closed surface");
+  }
+  for (Vector3& point : mesh.Points)
+  {
+    point = (1.0 / frame.Unit) * (point - frame.Middle);
+  }
+  spherepacking::OrientShells(mesh);
+  return mesh;
+}
+
+void FillOutput(const std::vector<PackedSphere>& spheres, const Frame& frame, vtkPolyData* output)
+{
+  spherepacking::PackingArrays arrays(static_cast<vtkIdType>(spheres.size()), false);
+  double* centers = arrays.Centres<double>();
+  double* radii = arrays.Radii<double>();
+  for (const PackedSphere& sphere : spheres)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      *centers++ = frame.Middle[axis] + frame.Unit * sphere.Center[axis];
+    }
+    *radii++ = frame.Unit * sphere.Radius;
+  }
+  arrays.MoveTo(output);
+}
+
+double VolumeOf(const std::vector<PackedSphere>& spheres)
+{
+  double volume = 0.0;
+  for (const PackedSphere& sphere : spheres)
+  {
+    volume += 4.0 / 3.0 * 3.14159265358979323846 * std::pow(sphere.Radius, 3);
+  }
+  return volume;
+}
+}
+
+//------------------------------------------------------------------------------
+int vtkSpherePacker::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  this->ErrorMessage.clear();
+  this->SetErrorCode(vtkErrorCode::NoError);
+  this->Interrupted = false;
+  vtkPolyData* output = vtkPolyData::GetData(outputs);
+  try
+  {
+    this->Pack(vtkPolyData::GetData(inputs[0]), output);
+    return 1;
+  }
+  catch (const std::invalid_argument& error)
+  {
+    this->ErrorMessage = error.what();
+  }
+  catch (const std::bad_alloc&)
+  {
+    this->ErrorMessage = "count: not enough memory for so many spheres, expected fewer";
+  }
+  output->Initialize();
+  this->SetErrorCode(vtkErrorCode::UserError);
+  vtkErrorMacro(<< this->ErrorMessage);
+  return 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkSpherePacker::Pack(vtkPolyData* surface, vtkPolyData* output)
+{
+  const Clock::time_point start = Clock::now();
+  if (this->NumberOfSpheres < 1)
+  {
+    Refuse("count", this->NumberOfSpheres, "1 or more");
+  }
+  if (!(this->MinimumRadius >= 0.0 && std::isfinite(this->MinimumRadius)))
+  {
+    Refuse("min_radius", this->MinimumRadius, "a finite number from 0 on");
+  }
+  if (!(this->VolumeFraction > 0.0 && this->VolumeFraction <= 1.0))
+  {
+    Refuse("fraction", this->VolumeFraction, "a number above 0 and up to 1");
+  }
+  double box[6];
+  surface->GetBounds(box);
+  const Frame frame(box);
+  const SurfaceMesh mesh = PrepareMesh(surface, frame);
+  const double volume = mesh.Volume();
+  const double cube = frame.Unit * frame.Unit * frame.Unit;
+  if (!(volume > 1e-12))
+  {
+    Refuse("surface", volume * cube, "a surface that encloses a volume");
+  }
+  spherepacking::PackingGoal goal;
+  goal.Count = this->NumberOfSpheres;
+  goal.LeastRadius = std::max(this->MinimumRadius / frame.Unit, 1e-6);
+  goal.Volume = this->VolumeFraction * volume;
+  goal.Seed = static_cast<std::uint64_t>(static_cast<std::uint32_t>(this->Seed));
+  const auto progress = [&](std::int64_t count, double filled)
+  {
+    this->UpdateProgress(
+      std::min(1.0, std::max(static_cast<double>(count) / goal.Count, filled / goal.Volume)));
+    this->Interrupted = this->GetAbortExecute() != 0;
+    return !this->Interrupted;
+  };
+  const std::vector<PackedSphere> spheres =
+    spherepacking::PackSpheres(mesh, goal, vtkSpherePackingParallelFor(), progress);
+  FillOutput(spheres, frame, output);
+  vtkSpherePackingAddField(output, "surface_volume", { volume * cube });
+  vtkSpherePackingAddField(output, "volume_fraction", { VolumeOf(spheres) / volume });
+  vtkSpherePackingAddField(
+    output, "build_seconds", { std::chrono::duration<double>(Clock::now() - start).count() });
+}
+
+//------------------------------------------------------------------------------
+void vtkSpherePacker::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "NumberOfSpheres: " << this->NumberOfSpheres << "\n";
+  os << indent << "MinimumRadius: " << this->MinimumRadius << "\n";
+  os << indent << "VolumeFraction: " << this->VolumeFraction << "\n";
+  os << indent << "Seed: " << this->Seed << "\n";
+  os << indent << "Interrupted: " << this->Interrupted << "\n";
+  os << indent << "ErrorMessage: " << this->ErrorMessage << "\n";
+}
