@@ -207,8 +207,8 @@ void vtkSpherePacker::Pack(vtkPolyData* surface, vtkPolyData* output)
   goal.Seed = static_cast<std::uint64_t>(static_cast<std::uint32_t>(this->Seed));
   const auto progress = [&](std::int64_t count, double filled)
   {
-    this->UpdateProgress(
-      std::min(1.0, std::max(static_cast<double>(count) / goal.Count, filled / goal.Volume)));
+    const double volumes = this->VolumeFraction < 1.0 ? filled / goal.Volume : 0.0;
+    this->UpdateProgress(std::min(1.0, std::max(static_cast<double>(count) / goal.Count, volumes)));
     this->Interrupted = this->GetAbortExecute() != 0;
     return !this->Interrupted;
   };

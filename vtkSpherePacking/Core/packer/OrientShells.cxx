@@ -193,19 +193,60 @@ void OrientByCrossings(SurfaceMesh& mesh, const Ids& shell, const Ids& patch)
   }
 }
 
+// Of each triangle, its patch if that is closed by itself, or -1.
+Ids ClosedPatches(const SurfaceMesh& mesh, const std::vector<Ids>& patches)
+{
+  Ids patchOf(mesh.Triangles.size());
+  for (std::size_t i = 0; i < patches.size(); ++i)
+  {
+    for (const std::int32_t at : patches[i])
+    {
+      patchOf[at] = static_cast<std::int32_t>(i);
+    }
+  }
+  std::vector<bool> closed(patches.size(), true);
+  ForEachEdgeGroup(EdgesOf(mesh),
+    [&](const MeshEdge* first, const MeshEdge* last)
+    {
+      for (const MeshEdge* edge = first; edge != last; ++edge)
+      {
+        std::int64_t sum = 0;
+        for (const MeshEdge* other = first; other != last; ++other)
+        {
+          const bool same = patchOf[other->Triangle] == patchOf[edge->Triangle];
+          sum += same ? (other->Forward ? 1 : -1) : 0;
+        }
+        closed[patchOf[edge->Triangle]] = closed[patchOf[edge->Triangle]] && sum == 0;
+      }
+    });
+  for (std::int32_t& patch : patchOf)
+  {
+    patch = closed[patch] ? patch : -1;
+  }
+  return patchOf;
+}
+
 // Shells as lists of triangles, each turned so that its volume is above 0.
 std::vector<Ids> OrientEachShell(SurfaceMesh& mesh)
 {
   const std::vector<Ids> patches = OrientPatches(mesh);
   Union joined(mesh.Triangles.size());
   const std::vector<MeshEdge> edges = EdgesOf(mesh);
+  const Ids closed = ClosedPatches(mesh, patches);
   Ids unbalanced;
   ForEachEdgeGroup(edges,
     [&](const MeshEdge* first, const MeshEdge* last)
     {
-      for (const MeshEdge* edge = first + 1; edge != last; ++edge)
+      // Solids that only touch along an edge are shells of their own.
+      for (const MeshEdge* edge = first; edge != last; ++edge)
       {
-        joined.Join(first->Triangle, edge->Triangle);
+        for (const MeshEdge* other = first; other != edge; ++other)
+        {
+          if (closed[edge->Triangle] == closed[other->Triangle])
+          {
+            joined.Join(other->Triangle, edge->Triangle);
+          }
+        }
       }
       if (!IsBalanced(first, last))
       {

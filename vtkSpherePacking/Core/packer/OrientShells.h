@@ -9,8 +9,8 @@ namespace spherepacking
 /// Turns the triangles of a surface without open edges outwards.
 ///
 /// Triangles that share an edge with no third one are turned alike and make a patch. Patches that
-/// share an edge make a shell. A shell is turned so that it bounds what is inside of it; one that
-/// lies within an odd number of others bounds a hole.
+/// share an edge make a shell, unless they are closed by themselves. A shell is turned so that it
+/// bounds what is inside of it; one that lies within an odd number of others bounds a hole.
 void OrientShells(SurfaceMesh& mesh);
 }
 

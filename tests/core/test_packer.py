@@ -1,0 +1,327 @@
+"""vtkSpherePacker: packings checked sphere by sphere, on random, on real and on hard surfaces."""
+
+import numpy as np
+import pytest
+import pyvista as pv
+from spherepacking._backend import vtkSpherePacker
+from surfaces import (
+    blob,
+    check_packing,
+    distances,
+    read_off,
+    surface_of,
+    triangles_of,
+    winding_numbers,
+)
+
+
+def packer_of(mesh, count=200, seed=0):
+    packer = vtkSpherePacker()
+    packer.SetInputData(mesh)
+    packer.SetNumberOfSpheres(count)
+    packer.SetSeed(seed)
+    return packer
+
+
+def pack(mesh, count=200, seed=0):
+    packer = packer_of(mesh, count, seed)
+    packer.Update()
+    assert packer.GetErrorMessage() == ""
+    return pv.wrap(packer.GetOutput())
+
+
+def message_of(packer):
+    errors = []
+    for source in (packer, packer.GetExecutive()):
+        source.AddObserver("ErrorEvent", lambda *_: errors.append(1))
+    packer.Update()
+    assert errors
+    assert packer.GetOutput().GetNumberOfPoints() == 0
+    return packer.GetErrorMessage()
+
+
+def together(*meshes):
+    """Several shells as one surface, with their own points."""
+    points, faces, first = [], [], 0
+    for mesh in meshes:
+        points.append(np.asarray(mesh.points, float))
+        faces.append(mesh.triangulate().faces.reshape(-1, 4)[:, 1:] + first)
+        first += mesh.n_points
+    return surface_of(np.vstack(points), np.vstack(faces))
+
+
+def ball(radius=1.0, center=(0, 0, 0), subdivisions=3):
+    return pv.Icosphere(radius=radius, center=center, nsub=subdivisions)
+
+
+# --- random and real surfaces -----------------------------------------------------------------
+
+
+@pytest.mark.parametrize("roughness", [0.0, 0.3, 0.8])
+def test_random_surfaces(rng, roughness):
+    mesh = blob(rng, roughness)
+    packing = pack(mesh, 400)
+    assert packing.n_points == 400
+    check_packing(packing, mesh, rng)
+    assert packing.field_data["volume_fraction"][0] > 0.6
+
+
+def test_bunny(data_file, rng):
+    mesh = pv.read(data_file("imb_bunny.obj"))
+    packing = pack(mesh, 2000)
+    check_packing(packing, mesh, rng)
+    assert packing.field_data["volume_fraction"][0] > 0.75
+
+
+def test_pig(data_file, rng):
+    mesh = read_off(data_file("vhacd_pig.off"))
+    packing = pack(mesh, 2000)
+    check_packing(packing, mesh, rng)
+    assert packing.field_data["volume_fraction"][0] > 0.75
+
+
+def test_dragon_with_edges_that_many_triangles_share(data_file, rng):
+    mesh = pv.read(data_file("stanford_dragon_vrip_res3.ply"))
+    packing = pack(mesh, 2000)
+    # As scanned it is turned outwards everywhere.
+    check_packing(packing, mesh, rng)
+    assert packing.field_data["volume_fraction"][0] > 0.65
+
+
+# --- the largest comes first ------------------------------------------------------------------
+
+
+def test_ball_first_in_a_ball(rng):
+    mesh = blob(rng, roughness=0.0)
+    center = np.asarray(mesh.points).mean(axis=0)
+    corners = triangles_of(mesh)
+    most = np.linalg.norm(corners[0, 0] - center)
+    least = distances(mesh, [center])[0]
+    packing = pack(mesh, 5)
+    assert 0.999999 * least <= packing["radius"][0] <= most
+    assert np.linalg.norm(packing.points[0] - center) < most - least
+
+
+@pytest.mark.parametrize("seed", [0, 1, 2])
+def test_cube_holds_its_inscribed_sphere(seed):
+    packing = pack(pv.Cube(), 9, seed)
+    assert packing["radius"][0] == pytest.approx(0.5, rel=1e-5)
+    np.testing.assert_allclose(packing.points[0], 0, atol=1e-4)
+    # In a corner, r (1 + sqrt(3)) + 1/2 is half of the diagonal.
+    corner = (np.sqrt(3) - 1) / (np.sqrt(3) + 1) / 2
+    np.testing.assert_allclose(packing["radius"][1:], corner, rtol=1e-3)
+
+
+def test_tetrahedron():
+    mesh = pv.Tetrahedron()
+    edge = np.linalg.norm(mesh.points[0] - mesh.points[1])
+    assert pack(mesh, 1)["radius"][0] == pytest.approx(edge / np.sqrt(24), rel=1e-5)
+
+
+def test_equal_places_along_a_slab(rng):
+    mesh = pv.Box((0, 1, 0, 1, 0, 0.1)).triangulate()
+    packing = pack(mesh, 60)
+    check_packing(packing, mesh, rng)
+    assert packing["radius"][0] == pytest.approx(0.05, rel=1e-5)
+    assert (packing["radius"] > 0.049).sum() > 30
+
+
+# --- hard surfaces ----------------------------------------------------------------------------
+
+
+def test_points_of_their_own_for_each_triangle(rng):
+    mesh = ball()
+    apart = surface_of(
+        triangles_of(mesh).reshape(-1, 3), np.arange(3 * mesh.n_cells).reshape(-1, 3)
+    )
+    check_packing(pack(apart, 100), mesh, rng)
+
+
+@pytest.mark.parametrize("turned", [0.3, 0.5, 1.0])
+def test_triangles_turned_at_random(rng, turned):
+    mesh = blob(rng)
+    faces = mesh.faces.reshape(-1, 4)[:, 1:].copy()
+    chosen = rng.random(len(faces)) < turned
+    faces[chosen] = faces[chosen][:, ::-1]
+    packing = pack(surface_of(mesh.points, faces), 300)
+    check_packing(packing, mesh, rng)
+    # Corners in another order round differently.
+    np.testing.assert_allclose(packing["radius"][:50], pack(mesh, 300)["radius"][:50], rtol=1e-4)
+
+
+def test_quads_and_triangles_are_the_same(rng):
+    mesh = pv.Cube(x_length=2.0).clean()
+    packing = pack(mesh, 50)
+    check_packing(packing, mesh.triangulate(), rng)
+
+
+def test_a_hole_inside(rng):
+    mesh = together(ball(1.0), ball(0.5, subdivisions=2))
+    packing = pack(mesh, 100)
+    lengths = np.linalg.norm(packing.points, axis=1)
+    check_packing(packing, mesh, rng, inside=lambda places: np.linalg.norm(places, axis=1) > 0.5)
+    assert (lengths - packing["radius"] > 0.45).all()
+    assert packing["radius"][0] == pytest.approx(0.25, rel=0.03)
+
+
+def test_a_shell_in_a_hole(rng):
+    mesh = together(ball(1.0), ball(0.7), ball(0.4))
+    packing = pack(mesh, 100)
+    assert packing["radius"][0] == pytest.approx(0.4, rel=0.02)
+    lengths = np.linalg.norm(packing.points, axis=1)
+    assert ((lengths < 0.4) | (lengths > 0.69)).all()
+
+
+def test_shells_apart(rng):
+    mesh = together(ball(1.0), ball(0.5, (3, 0, 0)))
+    packing = pack(mesh, 2)
+    check_packing(packing, mesh, rng)
+    np.testing.assert_allclose(packing.points, [[0, 0, 0], [3, 0, 0]], atol=1e-2)
+
+
+def test_shells_that_overlap_are_one_solid_with_walls(rng):
+    mesh = together(ball(1.0), ball(1.0, (1, 0, 0)))
+    packing = pack(mesh, 200)
+    check_packing(packing, mesh, rng, inside=lambda x: winding_numbers(mesh, x) > 0.99)
+    # In both of them, too.
+    assert (winding_numbers(mesh, packing.points) > 1.99).any()
+
+
+def test_cubes_that_share_an_edge(rng):
+    # Four triangles meet there, and the second cube is turned inwards.
+    one = pv.Box((0, 1, 0, 1, 0, 1)).triangulate().clean()
+    other = pv.Box((1, 2, 1, 2, 0, 1)).triangulate().clean().flip_faces()
+    packing = pack(together(one, other), 2)
+    np.testing.assert_allclose(packing["radius"], 0.5, rtol=1e-4)
+    middles = packing.points[np.argsort(packing.points[:, 0])]
+    np.testing.assert_allclose(middles, [[0.5, 0.5, 0.5], [1.5, 1.5, 0.5]], atol=1e-3)
+
+
+def test_needles_and_slivers(rng):
+    mesh = pv.Cone(height=20.0, radius=0.05, resolution=7).triangulate().clean()
+    check_packing(pack(mesh, 100), mesh, rng)
+
+
+@pytest.mark.parametrize("scale", [1e-12, 1e-3, 1e12])
+def test_any_unit(rng, scale):
+    mesh = blob(rng)
+    middle = np.asarray(mesh.points).mean(axis=0)
+    points = (np.asarray(mesh.points) - middle) / mesh.length
+    whole = pack(surface_of(points, mesh.faces.reshape(-1, 4)[:, 1:]), 50)
+    mesh = surface_of(scale * points, mesh.faces.reshape(-1, 4)[:, 1:])
+    packing = pack(mesh, 50)
+    check_packing(packing, mesh, rng)
+    np.testing.assert_allclose(packing["radius"][0] / scale, whole["radius"][0], rtol=0.03)
+
+
+def test_far_from_the_origin(rng):
+    mesh = blob(rng)
+    moved = surface_of(
+        np.asarray(mesh.points) / mesh.length + 1e6, mesh.faces.reshape(-1, 4)[:, 1:]
+    )
+    check_packing(pack(moved, 100), moved, rng)
+
+
+# --- stopping ---------------------------------------------------------------------------------
+
+
+def test_the_same_seed_gives_the_same_packing(rng):
+    mesh = blob(rng)
+    one, same, other = (pack(mesh, 300, seed) for seed in (4, 4, 5))
+    np.testing.assert_array_equal(one.points, same.points)
+    np.testing.assert_array_equal(one["radius"], same["radius"])
+    assert not np.array_equal(one["radius"], other["radius"])
+
+
+def test_the_threads_do_not_matter(rng):
+    import importlib
+
+    from spherepacking._backend import VTK_ROOT
+
+    smp = importlib.import_module(f"{VTK_ROOT}.vtkCommonCore").vtkSMPTools
+    mesh = blob(rng)
+    before = smp.GetBackend()
+    one = pack(mesh, 300)
+    try:
+        assert smp.SetBackend("Sequential")
+        other = pack(mesh, 300)
+    finally:
+        smp.SetBackend(before)
+    np.testing.assert_array_equal(one.points, other.points)
+
+
+def test_minimum_radius(rng):
+    mesh = blob(rng)
+    least = 0.05 * mesh.length
+    packer = packer_of(mesh, 10**6)
+    packer.SetMinimumRadius(least)
+    packer.Update()
+    packing = pv.wrap(packer.GetOutput())
+    assert 1 <= packing.n_points < 1000
+    assert packing["radius"].min() > least
+    check_packing(packing, mesh, rng)
+    # No more of them fit anywhere.
+    places = rng.uniform(*np.reshape(mesh.bounds, (3, 2)).T, (3000, 3))
+    gaps = np.linalg.norm(places[:, None] - packing.points, axis=2) - packing["radius"]
+    free = places[(gaps > least).all(axis=1)]
+    free = free[winding_numbers(mesh, free) > 0.5] if len(free) else free
+    assert not len(free) or (distances(mesh, free) < 1.02 * least).all()
+
+
+def test_volume_fraction():
+    packer = packer_of(pv.Cube(), 10**6)
+    packer.SetVolumeFraction(0.7)
+    packer.Update()
+    packing = pv.wrap(packer.GetOutput())
+    volumes = 4 / 3 * np.pi * packing["radius"] ** 3
+    assert 0.7 <= volumes.sum() < 0.72
+
+
+def test_stopped_packings_are_kept(rng):
+    packer = packer_of(blob(rng), 10**6)
+
+    def stop(algorithm, _):
+        if algorithm.GetProgress() > 2e-4:
+            algorithm.SetAbortExecute(1)
+
+    packer.AddObserver("ProgressEvent", stop)
+    packer.Update()
+    assert packer.GetInterrupted()
+    assert packer.GetErrorMessage() == ""
+    assert 200 <= packer.GetOutput().GetNumberOfPoints() < 2000
+
+
+# --- errors -----------------------------------------------------------------------------------
+
+
+def test_an_open_surface_says_where():
+    cube = pv.Cube().triangulate().clean()
+    faces = cube.faces.reshape(-1, 4)[:, 1:]
+    found = message_of(packer_of(surface_of(cube.points, faces[1:])))
+    assert found.startswith("surface: found 3 open edges, the first from (")
+    assert found.endswith("expected a closed surface")
+
+
+def test_surfaces_that_are_none():
+    nan = pv.Cube().triangulate()
+    nan.points[3, 1] = np.nan
+    assert "point 3 that are not finite" in message_of(packer_of(nan))
+    assert "found no triangles" in message_of(packer_of(pv.PolyData(np.zeros((4, 3)))))
+    flat = surface_of([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2], [2, 1, 0]])
+    assert "encloses a volume" in message_of(packer_of(flat))
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "found"),
+    [
+        ("NumberOfSpheres", 0, "count: found 0"),
+        ("MinimumRadius", -1.0, "min_radius: found -1"),
+        ("MinimumRadius", np.nan, "min_radius: found nan"),
+        ("VolumeFraction", 0.0, "fraction: found 0"),
+        ("VolumeFraction", 1.5, "fraction: found 1.5"),
+    ],
+)
+def test_bad_numbers(name, value, found):
+    packer = packer_of(pv.Cube())
+    getattr(packer, f"Set{name}")(value)
+    assert message_of(packer).startswith(found)
