@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import sys
 import warnings
 from pathlib import Path
@@ -45,10 +46,16 @@ def read_surface(path: Path) -> pv.PolyData:
         mesh = pv.PolyData()
         mesh.ShallowCopy(reader.GetOutput())
     else:
+        # What goes wrong is said below, once.
+        logging.disable(logging.CRITICAL)
         try:
-            mesh = pv.read(path)
+            with pv.vtk_verbosity("off"), warnings.catch_warnings():
+                warnings.simplefilter("ignore")
+                mesh = pv.read(path)
         except (OSError, TypeError, ImportError) as error:
             raise ValueError(f"{path}: is no surface that can be read: {error}") from None
+        finally:
+            logging.disable(logging.NOTSET)
         if isinstance(mesh, pv.MultiBlock):
             mesh = mesh.combine()
         if not isinstance(mesh, pv.PolyData):

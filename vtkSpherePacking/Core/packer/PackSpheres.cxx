@@ -15,7 +15,7 @@ namespace
 {
 
 // A leaf is searched for a maximum when its diagonal is no longer than this part of its bound.
-constexpr double Small = 0.6;
+constexpr double Small = 0.8;
 constexpr std::size_t MostLeaves = 256; // of a round
 // Keeps spheres apart by more than rounding.
 constexpr double Shrink = 1.0 - 1e-9;
@@ -23,8 +23,8 @@ constexpr double Shrink = 1.0 - 1e-9;
 // Of leaves whose bounds are nearly equal, the smallest come first: one of them will do.
 struct Entry
 {
-  int Band; // of bounds
-  std::int32_t Depth;
+  std::int16_t Band; // of bounds
+  std::int16_t Depth;
   std::int32_t Leaf;
   std::uint32_t Birth;
 
@@ -121,9 +121,9 @@ public:
 private:
   std::int64_t Count() const { return static_cast<std::int64_t>(this->Tree.Spheres().size()); }
 
-  int BandOf(double bound) const
+  std::int16_t BandOf(double bound) const
   {
-    return static_cast<int>(std::ceil(std::log(bound) / this->Band));
+    return static_cast<std::int16_t>(std::ceil(std::log(bound) / this->Band));
   }
   double TopOf(int band) const { return std::exp(band * this->Band); }
 
@@ -137,7 +137,8 @@ private:
     const ClearanceTree::Cell& cell = this->Tree[leaf];
     if (!cell.Dead)
     {
-      const int depth = static_cast<int>(std::lround(std::log2(this->Cube.Half / cell.Half)));
+      const auto depth =
+        static_cast<std::int16_t>(std::lround(std::log2(this->Cube.Half / cell.Half)));
       this->Queue.push({ this->BandOf(cell.Bound), depth, leaf, cell.Birth });
     }
   }

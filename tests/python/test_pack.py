@@ -1,0 +1,147 @@
+"""``spherepacking.pack`` and the command ``spherepacking pack``."""
+
+import os
+import signal
+import subprocess
+import sys
+import time
+
+import numpy as np
+import pytest
+import pyvista as pv
+import spherepacking
+from spherepacking.cli import main
+
+
+@pytest.fixture
+def cube_file(tmp_path):
+    path = tmp_path / "cube.ply"
+    pv.Cube().triangulate().clean().save(path)
+    return path
+
+
+def test_a_packing_is_drawn_as_any_other():
+    packing = spherepacking.pack(pv.Cube(), 30)
+    assert isinstance(packing, pv.PolyData)
+    assert packing.n_points == packing.n_verts == 30
+    assert list(packing.point_data) == ["radius"]
+    plotter = pv.Plotter(off_screen=True, window_size=(100, 100))
+    plotter.packing.add(packing)
+    assert plotter.screenshot(None, return_img=True).std() > 20
+    plotter.close()
+    assert 0.6 < packing.field_data["volume_fraction"][0] < 0.8
+    assert packing.field_data["surface_volume"][0] == pytest.approx(1.0)
+
+
+def test_the_mesh_is_left_alone():
+    mesh = pv.Cube()
+    before = mesh.copy()
+    spherepacking.pack(mesh, 3)
+    assert mesh == before
+
+
+def test_limits():
+    ball = pv.Icosphere(nsub=2)
+    assert spherepacking.pack(ball, 10**6, fraction=0.5).n_points == 1
+    large = spherepacking.pack(pv.Cube(), 10**6, min_radius=0.1)
+    assert large.n_points == 9
+    assert large["radius"].min() > 0.1
+
+
+@pytest.mark.parametrize(
+    ("words", "error", "message"),
+    [
+        ({"mesh": pv.ImageData(dimensions=(3, 3, 3))}, TypeError, "mesh: found ImageData"),
+        ({"mesh": None}, TypeError, "mesh: found NoneType"),
+        ({"mesh": pv.Plane()}, ValueError, "surface: found 40 open edges"),
+        ({"mesh": pv.PolyData()}, ValueError, "surface: found no triangles"),
+        ({"count": 0}, ValueError, "count: found 0"),
+        ({"count": 2.5}, TypeError, "count: found 2.5"),
+        ({"seed": -1}, ValueError, "seed: found -1"),
+        ({"min_radius": -1}, ValueError, "min_radius: found -1"),
+        ({"min_radius": np.nan}, ValueError, "min_radius: found nan"),
+        ({"min_radius": np.inf}, ValueError, "min_radius: found inf"),
+        ({"fraction": 0}, ValueError, "fraction: found 0"),
+        ({"fraction": 1.1}, ValueError, "fraction: found 1.1"),
+        ({"progress_bar": 1}, TypeError, "progress_bar: found 1"),
+    ],
+)
+def test_bad_arguments(words, error, message):
+    arguments = {"mesh": pv.Cube(), "count": 5, **words}
+    with pytest.raises(error, match=message):
+        spherepacking.pack(arguments.pop("mesh"), arguments.pop("count"), **arguments)
+
+
+def test_no_sphere_fits():
+    packing = spherepacking.pack(pv.Cube(), 5, min_radius=0.6)
+    assert packing.n_points == 0
+    assert packing.field_data["volume_fraction"][0] == 0
+
+
+# --- the command ------------------------------------------------------------------------------
+
+
+def test_command(cube_file, capsys):
+    target = cube_file.with_suffix(".spheres")
+    assert main(["pack", str(cube_file), str(target), "--count", "40"]) == 0
+    packing = spherepacking.read(target)
+    assert packing.n_points == 40
+    filled = 4 / 3 * np.pi * (packing["radius"] ** 3).sum()
+    assert capsys.readouterr().out == f"40 spheres fill {filled:.1%} of the volume\n"
+    made = spherepacking.pack(pv.read(cube_file), 40)
+    np.testing.assert_array_equal(packing.points, made.points)
+    np.testing.assert_array_equal(packing["radius"], made["radius"])
+
+
+def test_off_files(tmp_path):
+    mesh = pv.Tetrahedron()
+    faces = mesh.faces.reshape(-1, 4)
+    lines = ["OFF", "4 4 0", *(" ".join(map(str, row)) for row in [*mesh.points, *faces])]
+    (tmp_path / "four.off").write_text("\n".join(lines) + "\n")
+    target = tmp_path / "four.csv"
+    assert main(["pack", str(tmp_path / "four.off"), str(target), "--count", "4"]) == 0
+    assert spherepacking.read(target).n_points == 4
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        (("none.ply", "out.spheres"), "none.ply: there is no such file"),
+        (("cube.ply", "nowhere/out.spheres"), "there is no folder"),
+        (("cube.ply", "out.docx"), "docx"),
+        (("cube.ply", "out.spheres", "--count", "0"), "count: found 0"),
+        (("open.ply", "out.spheres"), "open edges"),
+        (("points.ply", "out.spheres"), "found no polygons"),
+        (("text.ply", "out.spheres"), "text.ply"),
+    ],
+)
+def test_command_errors(cube_file, monkeypatch, capsys, words, message):
+    monkeypatch.chdir(cube_file.parent)
+    pv.Plane().save("open.ply")
+    pv.PolyData(np.zeros((3, 3))).save("points.ply")
+    cube_file.with_name("text.txt").write_text("no surface\n")
+    cube_file.with_name("text.ply").write_text("no surface\n")
+    assert main(["pack", *words]) == 2
+    said = capsys.readouterr().err
+    assert message in said
+    assert said.startswith("spherepacking: ")
+    assert not cube_file.with_name("out.spheres").exists()
+
+
+def test_stopped_packings_are_written(cube_file):
+    target = cube_file.with_suffix(".spheres")
+    process = subprocess.Popen(
+        [sys.executable, "-m", "spherepacking", "pack", cube_file, target, "--count", "9999999"],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        env={**os.environ, "PYTHONUNBUFFERED": "1"},
+    )
+    time.sleep(6)
+    process.send_signal(signal.SIGINT)
+    out, said = process.communicate(timeout=60)
+    assert process.returncode == 130
+    packing = spherepacking.read(target)
+    assert out.startswith(f"{packing.n_points} spheres fill")
+    assert f"stopped after {packing.n_points} of 9999999 spheres" in said
+    assert packing["radius"][0] == pytest.approx(0.5, rel=1e-5)
