@@ -8,7 +8,8 @@ namespace spherepacking
 namespace
 {
 constexpr int MostSteps = 120;
-constexpr double Finest = 1e-6;     // step over clearance at the end
+constexpr double Finest = 1e-7;     // step over clearance at the end
+constexpr double Reach = 2.0;       // what may still be gained, over the step
 constexpr double Stationary = 0.03; // length of a gradient that is as good as none
 
 // The shortest vector in the convex hull of unit vectors, nearly.
@@ -50,10 +51,14 @@ public:
     this->Here = this->Look(start);
   }
 
-  PackedSphere Run(double step)
+  PackedSphere Run(double step, double enough)
   {
     for (int i = 0; i < MostSteps && step > Finest * this->Here.Clearance; ++i)
     {
+      if (this->Here.Clearance + Reach * step < enough)
+      {
+        break;
+      }
       const Vector3 way = this->Way(step);
       const double length = Length(way);
       if (length < Stationary)
@@ -85,15 +90,16 @@ private:
 
   ClearanceTree::Found Look(const Vector3& place)
   {
-    const ClearanceTree::Found found = this->Tree.At(place);
+    const ClearanceTree::Found found = this->Tree.At(place, this->Guess);
     if (found.BySurface && found.Clearance > 0.0)
     {
-      const Vector3 normal = (1.0 / found.Clearance) * (place - found.Nearest);
+      const Vector3 normal = (1.0 / found.Clearance) * (place - found.Nearest.Point);
       if (this->Planes.size() == MostPlanes)
       {
         this->Planes.erase(this->Planes.begin());
       }
-      this->Planes.push_back({ found.Nearest, normal });
+      this->Planes.push_back({ found.Nearest.Point, normal });
+      this->Guess = found.Nearest.Triangle;
     }
     return found;
   }
@@ -127,14 +133,15 @@ private:
   const ClearanceTree& Tree;
   Vector3 Place;
   ClearanceTree::Found Here;
+  std::int32_t Guess = -1;
   std::vector<Plane> Planes;
   std::vector<Vector3> Gradients;
 };
 }
 
 //------------------------------------------------------------------------------
-PackedSphere Ascend(const ClearanceTree& tree, const Vector3& start, double step)
+PackedSphere Ascend(const ClearanceTree& tree, const Vector3& start, double step, double enough)
 {
-  return Climber(tree, start).Run(step);
+  return Climber(tree, start).Run(step, enough);
 }
 }

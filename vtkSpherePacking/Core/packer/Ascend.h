@@ -14,9 +14,12 @@ namespace spherepacking
 /// vanishes the steps become shorter. Of the surface, the nearest points of all places so far are
 /// kept, as planes: a nearest point that stops a step turns the next.
 ///
+/// It ends early, with a smaller sphere, where steps have become so short that `enough` is out of
+/// reach.
+///
 /// Sources: Wolfe, "Finding the nearest point in a polytope" (1976), for the shortest vector;
 /// Kiwiel, "Methods of descent for nondifferentiable optimization" (1985), for the planes.
-PackedSphere Ascend(const ClearanceTree& tree, const Vector3& start, double step);
+PackedSphere Ascend(const ClearanceTree& tree, const Vector3& start, double step, double enough);
 }
 
 #endif

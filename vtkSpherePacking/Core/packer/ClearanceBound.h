@@ -29,7 +29,7 @@ public:
   /// many are left out.
   void Add(const Vector3& way, double length, double sphereRadius)
   {
-    if (this->Count == Most || !(length > 0.0))
+    if (this->Count == MostSpheres || !(length > 0.0))
     {
       return;
     }
@@ -39,11 +39,11 @@ public:
     ++this->Count;
   }
 
-  /// A plane by the distance from it, which may be larger by `bend`, and its direction.
-  void AddPlane(const Vector3& normal, double distance, double bend)
+  /// A plane by the distance of the ball's middle and the direction in which it grows.
+  void AddPlane(const Vector3& normal, double distance)
   {
     this->Normals[this->Count] = normal;
-    this->Distances[this->Count] = distance + bend;
+    this->Distances[this->Count] = distance;
     ++this->Count;
   }
 
@@ -101,10 +101,11 @@ private:
     normal = normal + part * way;
   }
 
-  static constexpr int Most = 24;
+  static constexpr int MostSpheres = 24;
+  static constexpr int Most = MostSpheres + 8; // and planes
   static constexpr int Steps = 8;
 
-  const double Radius;
+  double Radius;
   int Count = 0;
   double Distances[Most];
   Vector3 Normals[Most];

@@ -74,7 +74,7 @@ ClearanceTree::Eight ClearanceTree::Split(std::int32_t leaf) const
     Cell& child = children[i];
     child.Half = 0.5f * parent.Half;
     child.Middle = MiddleOfChild(parent.Middle, child.Half, i);
-    nearest[i] = this->Measure(parent, child);
+    nearest[i] = this->Measure(parent, i > 0 ? nearest[i - 1].Triangle : -1, child);
   }
   for (int i = 0; i < 8; ++i)
   {
@@ -87,7 +87,8 @@ ClearanceTree::Eight ClearanceTree::Split(std::int32_t leaf) const
 }
 
 //------------------------------------------------------------------------------
-TriangleTree::Nearest ClearanceTree::Measure(const Cell& parent, Cell& child) const
+TriangleTree::Nearest ClearanceTree::Measure(
+  const Cell& parent, std::int32_t guess, Cell& child) const
 {
   double spheres = Infinity;
   for (const std::int32_t i : parent.Near)
@@ -108,11 +109,15 @@ TriangleTree::Nearest ClearanceTree::Measure(const Cell& parent, Cell& child) co
   if (!(bound > (side ? spheres : diagonal)))
   {
     surface = std::max(spheres, diagonal);
-    this->Surface.Closest(child.Middle, surface, nearest);
+    nearest.Triangle = guess;
+    if (!this->Surface.Closest(child.Middle, surface, nearest))
+    {
+      nearest.Triangle = -1;
+    }
   }
   child.Surface = TowardsZero(side ? surface : -surface);
   child.Clearance = Above(std::min(spheres, side ? surface : -surface));
-  child.Bound = std::min(parent.Bound, Above(child.Clearance + diagonal));
+  child.Bound = Above(child.Clearance + diagonal);
   child.Dead = !(child.Bound > this->Least);
   return nearest;
 }
@@ -124,27 +129,6 @@ void ClearanceTree::FindBound(const Cell& parent,
   const double diagonal = child.Diagonal();
   const double most = child.Clearance + 2.0 * diagonal;
   ClearanceBound clearances(diagonal);
-  if (nearest[number].Triangle >= 0)
-  {
-    const double distance = Length(child.Middle - nearest[number].Point);
-    this->AddSurface(
-      child, nearest[number], child.Surface > 0.0f ? distance : -distance, clearances);
-  }
-  // What is nearest to its neighbours may lie on the other side of it.
-  for (int other = 0; other < 8 && child.Surface > 0.0; ++other)
-  {
-    const std::int32_t triangle = nearest[other].Triangle;
-    if (triangle >= 0 && triangle != nearest[number].Triangle)
-    {
-      bool inside;
-      const TriangleTree::Nearest on = this->Surface.ClosestOn(triangle, child.Middle, inside);
-      const double distance = Length(child.Middle - on.Point);
-      if (inside && distance < most && distance > diagonal)
-      {
-        this->AddSurface(child, on, distance, clearances);
-      }
-    }
-  }
   for (const std::int32_t i : parent.Near)
   {
     const PackedSphere& sphere = this->Packed[i];
@@ -158,26 +142,64 @@ void ClearanceTree::FindBound(const Cell& parent,
   }
   child.Bound = std::min(child.Bound, Above(clearances.Value()));
   child.Dead = !(child.Bound > this->Least);
+  if (child.Dead)
+  {
+    child.Near.Clear();
+    return;
+  }
+  // What is nearest to its neighbours may lie on the other side of it.
+  for (int other = 0; other < 8 && child.Surface > 0.0f; ++other)
+  {
+    const std::int32_t triangle = nearest[other].Triangle;
+    if (triangle >= 0 && triangle != nearest[number].Triangle)
+    {
+      bool inside;
+      const TriangleTree::Nearest on = this->Surface.ClosestOn(triangle, child.Middle, inside);
+      const Vector3 away = child.Middle - on.Point;
+      const double distance = Length(away);
+      if (inside && distance < most && distance > diagonal)
+      {
+        clearances.AddPlane((1.0 / distance) * away, distance);
+      }
+    }
+  }
+  float guess = Above(clearances.Value());
+  if (nearest[number].Triangle >= 0)
+  {
+    guess = std::min(guess, this->GuessBySurface(child, nearest[number], clearances));
+  }
+  // A guess only says that others come first.
+  child.Bound =
+    std::min(child.Bound, std::max({ guess, child.Clearance, Above(1.001 * this->Least) }));
 }
 
 //------------------------------------------------------------------------------
-void ClearanceTree::AddSurface(const Cell& cell, const TriangleTree::Nearest& nearest,
-  double distance, ClearanceBound& clearances) const
+float ClearanceTree::GuessBySurface(
+  const Cell& cell, const TriangleTree::Nearest& nearest, const ClearanceBound& others) const
 {
-  if (!(std::abs(distance) > 0.0))
+  const double length = Length(cell.Middle - nearest.Point);
+  if (!(length > 0.0))
   {
-    return;
+    return cell.Bound;
   }
+  const double distance = cell.Surface > 0.0f ? length : -length;
   const Vector3 inwards = (1.0 / distance) * (cell.Middle - nearest.Point);
-  const double diagonal = cell.Diagonal();
-  // Some places of the cell lie beyond the triangle's plane. Where these are inside, too, behind
-  // another sheet of the surface, the plane bounds nothing.
-  const double beyond = diagonal - distance;
-  if (beyond > 0.0 && IsInside(this->Surface, nearest.Point - (0.7 * beyond) * inwards))
+  ClearanceBound clearances = others;
+  clearances.AddPlane(inwards, distance);
+  float guess = Above(clearances.Value());
+  const double beyond = cell.Diagonal() - distance;
+  if (guess < cell.Bound && beyond > 0.0)
   {
-    return;
+    // Some places of the cell lie beyond the triangle's plane. Where these are inside, too, behind
+    // another sheet of the surface, their distance grows the other way.
+    if (IsInside(this->Surface, nearest.Point - (0.7 * beyond) * inwards))
+    {
+      clearances = others;
+      clearances.AddPlane(-1.0 * inwards, -distance);
+      guess = std::max(guess, Above(clearances.Value()));
+    }
   }
-  clearances.AddPlane(inwards, distance, this->Surface.BendBelow(nearest, diagonal));
+  return guess;
 }
 
 //------------------------------------------------------------------------------
@@ -228,7 +250,7 @@ std::int32_t ClearanceTree::Install(std::int32_t leaf, Eight&& children)
 }
 
 //------------------------------------------------------------------------------
-ClearanceTree::Found ClearanceTree::At(const Vector3& place) const
+ClearanceTree::Found ClearanceTree::At(const Vector3& place, std::int32_t guess) const
 {
   std::int32_t at = 0;
   while ((*this)[at].Child >= 0)
@@ -262,76 +284,60 @@ ClearanceTree::Found ClearanceTree::At(const Vector3& place) const
   if (bound < found.Clearance)
   {
     TriangleTree::Nearest nearest;
+    nearest.Triangle = guess;
     found.BySurface = this->Surface.Closest(place, found.Clearance, nearest);
-    found.Nearest = nearest.Point;
+    found.Nearest = nearest;
   }
   return found;
 }
 
 //------------------------------------------------------------------------------
-void ClearanceTree::Insert(const PackedSphere& sphere, double most)
+void ClearanceTree::Insert(const PackedSphere& sphere)
 {
   this->Packed.push_back(sphere);
-  this->InsertBelow(0, sphere, sphere.Radius + most);
+  this->InsertBelow(0, sphere);
 }
 
 //------------------------------------------------------------------------------
-bool ClearanceTree::InsertBelow(std::int32_t at, const PackedSphere& sphere, double reach)
+bool ClearanceTree::InsertBelow(std::int32_t at, const PackedSphere& sphere)
 {
   Cell& cell = this->Of(at);
   if (cell.Dead)
   {
     return true;
   }
-  const Vector3 away = sphere.Center - cell.Middle;
-  double square = 0.0;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const double outside = std::max(std::abs(away[axis]) - cell.Half, 0.0);
-    square += outside * outside;
-  }
-  if (square > reach * reach)
+  // Elsewhere something else is nearer to all places of the cell.
+  const double distance = DistanceTo(sphere, cell.Middle);
+  if (!(distance < cell.Clearance + 2.0 * cell.Diagonal()))
   {
     return false;
   }
-  if (cell.Child < 0)
+  cell.Clearance = std::min(cell.Clearance, Above(distance));
+  cell.Dead = !(cell.Clearance + cell.Diagonal() > this->Least);
+  if (cell.Child >= 0)
   {
-    this->InsertIntoLeaf(cell, sphere);
-    return cell.Dead;
+    bool dead = true;
+    const std::int32_t first = cell.Child;
+    for (std::int32_t child = first; child < first + 8; ++child)
+    {
+      dead = this->InsertBelow(child, sphere) && dead;
+    }
+    cell.Dead = dead;
+    if (dead)
+    {
+      this->Free.push_back(first / 8);
+      cell.Child = -1;
+    }
   }
-  bool dead = true;
-  const std::int32_t first = cell.Child;
-  for (std::int32_t child = first; child < first + 8; ++child)
+  else if (cell.Dead)
   {
-    dead = this->InsertBelow(child, sphere, reach) && dead;
-  }
-  if (dead)
-  {
-    this->Free.push_back(first / 8);
-    cell.Child = -1;
-    cell.Dead = true;
-  }
-  return dead;
-}
-
-//------------------------------------------------------------------------------
-void ClearanceTree::InsertIntoLeaf(Cell& leaf, const PackedSphere& sphere) const
-{
-  const double distance = DistanceTo(sphere, leaf.Middle);
-  if (!(distance < leaf.Clearance + 2.0 * leaf.Diagonal()))
-  {
-    return;
-  }
-  leaf.Clearance = std::min(leaf.Clearance, Above(distance));
-  if (leaf.Clearance + leaf.Diagonal() > this->Least)
-  {
-    leaf.Stale = true;
-    leaf.Near.Add(static_cast<std::int32_t>(this->Packed.size()) - 1);
+    cell.Near.Clear();
   }
   else
   {
-    leaf.Dead = true;
-    leaf.Near.Clear();
+    cell.Stale = true;
+    cell.Near.Add(static_cast<std::int32_t>(this->Packed.size()) - 1);
   }
+  return cell.Dead;
 }
 }

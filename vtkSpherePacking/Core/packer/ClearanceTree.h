@@ -21,9 +21,11 @@ struct PackedSphere
 ///
 /// The clearance of a place is the distance to the surface, negative outside, or to the nearest
 /// sphere, if that is less. It changes by no more than the way between two places, so nowhere in a
-/// cell it is above that of the cell's middle plus half of the cell's diagonal: its bound. A leaf
-/// lists the spheres that may be the nearest to a place in it. Leaves whose bound is not above the
-/// least radius are dead; eight of them make their parent a dead leaf.
+/// cell it is above that of the cell's middle plus half of the cell's diagonal: its bound. The
+/// spheres around it, see ClearanceBound, and the surface make it lower, where the surface is taken
+/// for the planes of its nearest triangles; for that reason alone no leaf dies. A leaf lists the
+/// spheres that may be the nearest to a place in it. Leaves whose bound is not above the least
+/// radius are dead; eight of them make their parent a dead leaf.
 class ClearanceTree
 {
 public:
@@ -50,7 +52,7 @@ public:
     double Clearance;
     std::int32_t Leaf = -1;
     bool BySurface = false;
-    Vector3 Nearest; ///< on the surface, where that is nearer than the spheres
+    TriangleTree::Nearest Nearest; ///< on the surface, where that is nearer than the spheres
   };
 
   /// Spheres are wanted with radii above `least`.
@@ -74,20 +76,19 @@ public:
   std::int32_t Install(std::int32_t leaf, Eight&& children);
 
   /// At a place where spheres are too large for the least radius, anything that is not above it.
-  Found At(const Vector3& place) const;
+  /// `guess` is a triangle that may be the nearest, or -1.
+  Found At(const Vector3& place, std::int32_t guess) const;
 
-  /// Adds a sphere. No clearance is above `most`.
-  void Insert(const PackedSphere& sphere, double most);
+  void Insert(const PackedSphere& sphere);
 
 private:
   Cell& Of(std::int32_t cell) { return this->Blocks[cell >> 3][cell & 7]; }
-  TriangleTree::Nearest Measure(const Cell& parent, Cell& child) const;
+  TriangleTree::Nearest Measure(const Cell& parent, std::int32_t guess, Cell& child) const;
   void FindBound(const Cell& parent, const std::array<TriangleTree::Nearest, 8>& nearest,
     int number, Cell& child) const;
-  void AddSurface(const Cell& cell, const TriangleTree::Nearest& nearest, double distance,
-    ClearanceBound& clearances) const;
-  bool InsertBelow(std::int32_t cell, const PackedSphere& sphere, double reach);
-  void InsertIntoLeaf(Cell& leaf, const PackedSphere& sphere) const;
+  float GuessBySurface(
+    const Cell& cell, const TriangleTree::Nearest& nearest, const ClearanceBound& others) const;
+  bool InsertBelow(std::int32_t cell, const PackedSphere& sphere);
 
   const TriangleTree& Surface;
   const double Least;

@@ -15,7 +15,7 @@ namespace
 {
 
 // A leaf is searched for a maximum when its diagonal is no longer than this part of its bound.
-constexpr double Small = 0.8;
+constexpr double Small = 0.5;
 constexpr std::size_t MostLeaves = 256; // of a round
 // Keeps spheres apart by more than rounding.
 constexpr double Shrink = 1.0 - 1e-9;
@@ -207,7 +207,7 @@ private:
     const ClearanceTree::Cell& cell = this->Tree[task.Leaf];
     if (task.Climbs)
     {
-      task.Sphere = Ascend(this->Tree, cell.Middle, cell.Diagonal());
+      task.Sphere = Ascend(this->Tree, cell.Middle, cell.Diagonal(), task.Enough);
       task.Sphere.Radius *= Shrink;
       if (task.Sphere.Radius > std::max(task.Enough, this->Goal.LeastRadius))
       {
@@ -247,7 +247,7 @@ private:
     {
       if (!this->IsDone() && this->IsFree(sphere, before))
       {
-        this->Tree.Insert(sphere, this->Most);
+        this->Tree.Insert(sphere);
         this->Volume +=
           4.0 / 3.0 * 3.14159265358979323846 * sphere.Radius * sphere.Radius * sphere.Radius;
       }
@@ -297,7 +297,7 @@ private:
   std::priority_queue<Entry> Queue;
   std::vector<Task> Tasks;
   std::vector<Entry> Waiting;
-  double Most = 0.0; // bound of all clearances
+  double Most = 0.0; // the largest bound
   double Volume = 0.0;
   // What is tolerated below the largest bound, and by how much the bounds of a band differ. The
   // first sphere is found more exactly.

@@ -77,47 +77,13 @@ double SolidAngle(const Vector3& place, const Vector3 (&corners)[3])
 }
 
 //------------------------------------------------------------------------------
-std::vector<double> TriangleTree::ReflexAtPoints(const SurfaceMesh& mesh)
-{
-  const auto normal = [&](const MeshEdge& edge)
-  {
-    const Triangle& triangle = mesh.Triangles[edge.Triangle];
-    const Vector3 area = Cross(mesh.Corner(triangle, 1) - mesh.Corner(triangle, 0),
-      mesh.Corner(triangle, 2) - mesh.Corner(triangle, 0));
-    const double length = Length(area);
-    return length > 0.0 ? (1.0 / length) * area : area;
-  };
-  std::vector<double> reflex(mesh.Points.size(), 0.0);
-  ForEachEdgeGroup(EdgesOf(mesh),
-    [&](const MeshEdge* first, const MeshEdge* last)
-    {
-      double sine = 1.0;
-      if (last - first == 2)
-      {
-        const Vector3 turn = Cross(normal(first[0]), normal(first[1]));
-        const Vector3 along = mesh.Points[first->High] - mesh.Points[first->Low];
-        // Outside of a convex edge, its direction in the first triangle is that of the turn.
-        const bool convex = (Dot(turn, along) > 0.0) == first->Forward;
-        sine = convex ? 0.0 : Length(turn);
-      }
-      for (const std::int32_t point : { first->Low, first->High })
-      {
-        reflex[point] = std::max(reflex[point], sine);
-      }
-    });
-  return reflex;
-}
-
-//------------------------------------------------------------------------------
 TriangleTree::TriangleTree(const SurfaceMesh& mesh)
 {
-  const std::vector<double> reflex = ReflexAtPoints(mesh);
   this->Triangles.reserve(mesh.Triangles.size());
   for (const Triangle& triangle : mesh.Triangles)
   {
     this->Triangles.push_back(
-      { { mesh.Corner(triangle, 0), mesh.Corner(triangle, 1), mesh.Corner(triangle, 2) },
-        std::max(std::max(reflex[triangle[0]], reflex[triangle[1]]), reflex[triangle[2]]) });
+      { { mesh.Corner(triangle, 0), mesh.Corner(triangle, 1), mesh.Corner(triangle, 2) } });
   }
   if (!this->Triangles.empty())
   {
@@ -214,6 +180,22 @@ bool TriangleTree::Closest(const Vector3& place, double& distance, Nearest& near
   int count = 0;
   double best = distance * distance;
   bool found = false;
+  const auto look = [&](std::int32_t triangle)
+  {
+    const Vector3 point = ClosestOnTriangle(place, this->Triangles[triangle].Of);
+    const Vector3 away = place - point;
+    const double square = Dot(away, away);
+    if (square < best)
+    {
+      best = square;
+      nearest = { point, triangle };
+      found = true;
+    }
+  };
+  if (nearest.Triangle >= 0)
+  {
+    look(nearest.Triangle);
+  }
   if (!this->Nodes.empty())
   {
     open[count++] = { 0, SquareToBox(this->Nodes[0], place) };
@@ -230,15 +212,7 @@ bool TriangleTree::Closest(const Vector3& place, double& distance, Nearest& near
     {
       for (std::int32_t i = node.First; i < node.First + node.Count; ++i)
       {
-        const Vector3 point = ClosestOnTriangle(place, this->Triangles[i].Of);
-        const Vector3 away = place - point;
-        const double square = Dot(away, away);
-        if (square < best)
-        {
-          best = square;
-          nearest = { point, i };
-          found = true;
-        }
+        look(i);
       }
       continue;
     }
@@ -256,25 +230,6 @@ bool TriangleTree::Closest(const Vector3& place, double& distance, Nearest& near
     distance = std::sqrt(best);
   }
   return found;
-}
-
-//------------------------------------------------------------------------------
-double TriangleTree::BendBelow(const Nearest& nearest, double distance) const
-{
-  const Corners& triangle = this->Triangles[nearest.Triangle];
-  double margin = std::numeric_limits<double>::infinity();
-  double longest = 0.0;
-  for (int side = 0; side < 3; ++side)
-  {
-    const Vector3 edge = triangle.Of[(side + 1) % 3] - triangle.Of[side];
-    const double length = Length(edge);
-    const double area = Length(Cross(edge, nearest.Point - triangle.Of[side]));
-    margin = std::min(margin, length > 0.0 ? area / length : 0.0);
-    longest = std::max(longest, length);
-  }
-  // Of many triangles in a row, each may bend as much as the first.
-  const double beyond = std::max(distance - margin, 0.0);
-  return beyond * std::min(1.0, triangle.Reflex * (1.0 + beyond / longest));
 }
 
 //------------------------------------------------------------------------------

@@ -19,14 +19,10 @@ public:
   };
 
   /// Whether a triangle is nearer than `distance`, which becomes that of the nearest, and its
-  /// nearest point.
+  /// nearest point. If `nearest` has a triangle, that is looked at first: a good guess saves time.
   bool Closest(const Vector3& place, double& distance, Nearest& nearest) const;
 
-  /// By about how much the surface may be further out than the triangle's plane, at places whose
-  /// projection is no further from its nearest point than `distance`. It is where edges are reflex.
-  double BendBelow(const Nearest& nearest, double distance) const;
-
-  /// The same for another place, and whether that is on the inner side of the triangle.
+  /// The nearest point of one triangle, and whether the place is on the triangle's inner side.
   Nearest ClosestOn(std::int32_t triangle, const Vector3& place, bool& inside) const;
 
   /// How often the surface goes around a place: 1 inside and 0 outside of one that is closed and
@@ -55,10 +51,8 @@ private:
   struct Corners
   {
     Vector3 Of[3];
-    double Reflex; ///< sine of the largest reflex angle at its corners
   };
 
-  static std::vector<double> ReflexAtPoints(const SurfaceMesh& mesh);
   std::int32_t Build(std::int32_t first, std::int32_t count);
   void Measure(Node& node) const;
   static double SquareToBox(const Node& node, const Vector3& place);
