@@ -11,6 +11,7 @@ from tempfile import TemporaryDirectory
 import numpy as np
 import pyvista as pv
 
+from ._errors import PackingFileError
 from ._pack import pack
 from .writers import write
 
@@ -90,13 +91,19 @@ def pack_file(
     bool
         False if Ctrl-C ended it early; the spheres that were there are written.
     """
+    if target.is_dir():
+        raise IsADirectoryError(f"{target}: is a directory, expected a file name")
     if not target.parent.is_dir():
         raise FileNotFoundError(f"{target}: there is no folder {target.parent}")
     with TemporaryDirectory() as folder:
         # What cannot be written is better known before the work than after it.
         trial = pv.PolyData(np.zeros((1, 3)))
         trial["radius"] = np.ones(1)
-        write(trial, Path(folder) / target.name)
+        trial_path = Path(folder) / target.name
+        try:
+            write(trial, trial_path)
+        except PackingFileError as error:
+            raise PackingFileError(str(error).replace(str(trial_path), str(target))) from None
     mesh = read_surface(source)
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")

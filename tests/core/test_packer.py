@@ -179,6 +179,49 @@ def test_a_hole_inside(rng):
     assert packing["radius"][0] == pytest.approx(0.25, rel=0.03)
 
 
+def test_a_hole_that_shares_a_wall():
+    mesh = together(
+        pv.Cube(), pv.Cube(center=(-0.3, 0, 0), x_length=0.4, y_length=0.4, z_length=0.4)
+    )
+    packing = pack(mesh, 50)
+    assert packing.field_data["surface_volume"][0] == pytest.approx(1 - 0.4**3)
+    assert (np.abs(packing.points - [-0.3, 0, 0]).max(axis=1) > 0.2).all()
+
+
+@pytest.mark.parametrize("turned", [False, True])
+def test_every_triangle_twice(rng, turned):
+    mesh = blob(rng)
+    faces = mesh.faces.reshape(-1, 4)[:, 1:]
+    twice = surface_of(mesh.points, np.vstack([faces, faces[:, ::-1] if turned else faces]))
+    packing = pack(twice, 100)
+    check_packing(packing, mesh, rng)
+    assert packing.field_data["surface_volume"][0] == pytest.approx(mesh.volume, rel=1e-4)
+
+
+@pytest.mark.parametrize("thickness", [0.1, 0.01])
+def test_a_thin_shell(rng, thickness):
+    mesh = together(ball(1.0), ball(1.0 - thickness))
+    packing = pack(mesh, 40)
+    lengths = np.linalg.norm(packing.points, axis=1)
+    check_packing(packing, mesh, rng, inside=lambda x: np.linalg.norm(x, axis=1) > 0.9 - thickness)
+    assert (lengths > 1 - thickness - 0.02).all()
+    assert packing["radius"][-1] > 0.3 * thickness
+
+
+def test_a_thin_plate(rng):
+    mesh = pv.Cube(x_length=1.0, y_length=1.0, z_length=2e-3).triangulate().clean()
+    packing = pack(mesh, 20)
+    check_packing(packing, mesh, rng)
+    np.testing.assert_allclose(packing["radius"], 1e-3, rtol=1e-3)
+
+
+def test_unused_points_do_not_matter(rng):
+    mesh = pv.Cube().triangulate().clean()
+    faces = mesh.faces.reshape(-1, 4)[:, 1:]
+    more = surface_of(np.vstack([mesh.points, [[0, 0, 1e9]]]), faces)
+    np.testing.assert_array_equal(pack(more, 20).points, pack(mesh, 20).points)
+
+
 def test_a_shell_in_a_hole(rng):
     mesh = together(ball(1.0), ball(0.7), ball(0.4))
     packing = pack(mesh, 100)
@@ -263,6 +306,7 @@ def test_the_threads_do_not_matter(rng):
     finally:
         smp.SetBackend(before)
     np.testing.assert_array_equal(one.points, other.points)
+    np.testing.assert_array_equal(one["radius"], other["radius"])
 
 
 def test_minimum_radius(rng):
@@ -322,7 +366,16 @@ def test_surfaces_that_are_none():
     nan.points[3, 1] = np.nan
     assert "point 3 that are not finite" in message_of(packer_of(nan))
     assert "found no triangles" in message_of(packer_of(pv.PolyData(np.zeros((4, 3)))))
-    flat = surface_of([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2], [2, 1, 0]])
+    missing = pv.PolyData()
+    missing.points = np.zeros((4, 3))
+    missing.faces = [3, 0, 1, 10**6]
+    assert "found point 1000000 in cell 0, expected one of 4" in message_of(packer_of(missing))
+    boy = pv.ParametricBoy().triangulate().clean()
+    assert "has but one side" in message_of(packer_of(boy))
+    one_side = surface_of([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2], [2, 1, 0]])
+    assert "found 3 open edges" in message_of(packer_of(one_side))
+    flat = pv.Tetrahedron()
+    flat.points[:, 2] = 0.0
     assert "encloses a volume" in message_of(packer_of(flat))
 
 

@@ -19,6 +19,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <limits>
@@ -50,13 +51,52 @@ struct Frame
   Vector3 Middle;
   double Unit; // a power of two
 
-  explicit Frame(const double (&box)[6])
-    : Middle{ 0.5 * (box[0] + box[1]), 0.5 * (box[2] + box[3]), 0.5 * (box[4] + box[5]) }
+  // Around the points that triangles have.
+  explicit Frame(const SurfaceMesh& mesh)
   {
-    const double most = std::max(std::max(box[1] - box[0], box[3] - box[2]), box[5] - box[4]);
+    Vector3 low = mesh.Corner(mesh.Triangles.front(), 0);
+    Vector3 high = low;
+    for (const spherepacking::Triangle& triangle : mesh.Triangles)
+    {
+      for (int corner = 0; corner < 3; ++corner)
+      {
+        const Vector3 point = mesh.Corner(triangle, corner);
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          low[axis] = std::min(low[axis], point[axis]);
+          high[axis] = std::max(high[axis], point[axis]);
+        }
+      }
+    }
+    this->Middle = 0.5 * (low + high);
+    const Vector3 size = high - low;
+    const double most = std::max(std::max(size.X, size.Y), size.Z);
     this->Unit = most > 0.0 ? std::exp2(std::round(std::log2(most))) : 1.0;
   }
+
+  // How far rounding may move a point.
+  double Rounding() const
+  {
+    const double most = std::max(
+      std::max(std::abs(this->Middle.X), std::abs(this->Middle.Y)), std::abs(this->Middle.Z));
+    return 2.0 * std::numeric_limits<double>::epsilon() * (most + this->Unit);
+  }
 };
+
+// Cells are not looked at before their points are known to be there.
+void CheckIds(vtkPolyData* surface, vtkIdType cell, vtkIdList* ids)
+{
+  surface->GetCellPoints(cell, ids);
+  for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+  {
+    const vtkIdType id = ids->GetId(i);
+    if (id < 0 || id >= surface->GetNumberOfPoints())
+    {
+      throw std::invalid_argument("surface: found point " + std::to_string(id) + " in cell " +
+        std::to_string(cell) + ", expected one of " + std::to_string(surface->GetNumberOfPoints()));
+    }
+  }
+}
 
 // All polygons and strips as triangles; other cells are left out.
 SurfaceMesh MeshOf(vtkPolyData* surface)
@@ -78,6 +118,7 @@ SurfaceMesh MeshOf(vtkPolyData* surface)
   vtkNew<vtkIdList> corners;
   for (vtkIdType i = 0; i < surface->GetNumberOfCells(); ++i)
   {
+    CheckIds(surface, i, corners);
     surface->GetCell(i, cell);
     if (cell->GetCellDimension() != 2)
     {
@@ -94,8 +135,8 @@ SurfaceMesh MeshOf(vtkPolyData* surface)
   return mesh;
 }
 
-// A closed surface, turned outwards.
-SurfaceMesh PrepareMesh(vtkPolyData* surface, const Frame& frame)
+// A closed surface.
+SurfaceMesh PrepareMesh(vtkPolyData* surface)
 {
   if (surface->GetNumberOfPoints() > std::numeric_limits<std::int32_t>::max())
   {
@@ -112,11 +153,10 @@ SurfaceMesh PrepareMesh(vtkPolyData* surface, const Frame& frame)
   {
     throw std::invalid_argument("surface: found " + open + ", expected a closed surface");
   }
-  for (Vector3& point : mesh.Points)
+  if (mesh.Triangles.size() > std::numeric_limits<std::int32_t>::max() / 3)
   {
-    point = (1.0 / frame.Unit) * (point - frame.Middle);
+    throw std::invalid_argument("surface: found more than 715827882 triangles, expected fewer");
   }
-  spherepacking::OrientShells(mesh);
   return mesh;
 }
 
@@ -131,7 +171,7 @@ void FillOutput(const std::vector<PackedSphere>& spheres, const Frame& frame, vt
     {
       *centers++ = frame.Middle[axis] + frame.Unit * sphere.Center[axis];
     }
-    *radii++ = frame.Unit * sphere.Radius;
+    *radii++ = std::max(frame.Unit * sphere.Radius - frame.Rounding(), 0.0);
   }
   arrays.MoveTo(output);
 }
@@ -190,10 +230,13 @@ void vtkSpherePacker::Pack(vtkPolyData* surface, vtkPolyData* output)
   {
     Refuse("fraction", this->VolumeFraction, "a number above 0 and up to 1");
   }
-  double box[6];
-  surface->GetBounds(box);
-  const Frame frame(box);
-  const SurfaceMesh mesh = PrepareMesh(surface, frame);
+  SurfaceMesh mesh = PrepareMesh(surface);
+  const Frame frame(mesh);
+  for (Vector3& point : mesh.Points)
+  {
+    point = (1.0 / frame.Unit) * (point - frame.Middle);
+  }
+  spherepacking::OrientShells(mesh);
   const double volume = mesh.Volume();
   const double cube = frame.Unit * frame.Unit * frame.Unit;
   if (!(volume > 1e-12))

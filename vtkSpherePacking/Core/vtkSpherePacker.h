@@ -7,13 +7,14 @@
  * that overlaps neither the surface nor another sphere, until there are `NumberOfSpheres`, no
  * sphere of `MinimumRadius` fits, or `VolumeFraction` of the volume is filled. They are sorted by
  * their radii, largest first, so that the first of them are a packing, too. The first sphere is the
- * largest that fits to within 3 %, others are within a third of the largest that would fit then;
- * all touch what is around them.
+ * largest that fits to within 3 %, others are about two thirds of the largest that would fit then,
+ * or larger; all touch what is around them. In gaps that are thin for their width, the largest that
+ * was found in some time is taken.
  *
  * Surfaces may have points that coincide, triangles that are turned either way, edges that more
- * than two triangles share, and several shells; one that lies within another is a hole. An edge of
- * an odd number of triangles is an error that says where it is. What is inside is decided by the
- * generalised winding number.
+ * than two triangles share, and several shells; one that lies within another is a hole. What shells
+ * that overlap share counts several times in the volume. An edge of an odd number of triangles is
+ * an error that says where it is. What is inside is decided by the generalised winding number.
  *
  * The output has double precision, a vertex for each sphere, the point array `radius`, and field
  * arrays of one value: `surface_volume`, in the cube of the input's unit, `volume_fraction`, the

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <memory>
 #include <numeric>
+#include <stdexcept>
 
 namespace spherepacking
 {
@@ -115,10 +116,16 @@ std::vector<Ids> OrientPatches(SurfaceMesh& mesh)
         mesh.Corner(triangle, 2) - mesh.Corner(triangle, 0)));
       for (const Link& link : links[at])
       {
+        const int wanted = link.Same ? turned[at] : 1 - turned[at];
         if (turned[link.Other] < 0)
         {
-          turned[link.Other] = link.Same ? turned[at] : 1 - turned[at];
+          turned[link.Other] = wanted;
           patch.push_back(link.Other);
+        }
+        else if (turned[link.Other] != wanted)
+        {
+          throw std::invalid_argument("surface: found one that has no inside, since it has but one "
+                                      "side, expected a closed surface");
         }
       }
     }
@@ -184,8 +191,10 @@ void OrientByCrossings(SurfaceMesh& mesh, const Ids& shell, const Ids& patch)
     const Vector3 b = mesh.Corner(triangle, 1);
     const Vector3 c = mesh.Corner(triangle, 2);
     const Vector3 place = a + 0.31 * (b - a) + 0.36 * (c - a);
+    // Not along the axes, where corners and edges lie ahead.
     const Vector3 normal = Cross(b - a, c - a);
-    votes += Crossings(mesh, shell, patch[i], place, normal) % 2 == 0 ? 1 : -1;
+    const Vector3 ahead = normal + (0.1 * Length(normal)) * Vector3{ 0.618, 0.414, 0.732 };
+    votes += Crossings(mesh, shell, patch[i], place, ahead) % 2 == 0 ? 1 : -1;
   }
   for (std::size_t i = 0; votes < 0 && i < patch.size(); ++i)
   {
@@ -325,21 +334,22 @@ Box BoxOf(const SurfaceMesh& mesh, const Ids& triangles)
   return box;
 }
 
+// Whether nearly all of it does: both may share a wall.
 bool LiesWithin(const SurfaceMesh& mesh, const Ids& shell, const TriangleTree& other)
 {
-  constexpr std::size_t samples = 16;
+  constexpr std::size_t samples = 32;
   const std::size_t step = std::max<std::size_t>(1, shell.size() / samples);
+  int inside = 0;
+  int count = 0;
   for (std::size_t i = 0; i < shell.size(); i += step)
   {
     const Triangle& triangle = mesh.Triangles[shell[i]];
     const Vector3 middle = (1.0 / 3.0) *
       (mesh.Corner(triangle, 0) + mesh.Corner(triangle, 1) + mesh.Corner(triangle, 2));
-    if (other.WindingNumber(middle) < 0.5)
-    {
-      return false;
-    }
+    inside += other.WindingNumber(middle) > 0.5 ? 1 : 0;
+    ++count;
   }
-  return true;
+  return inside > 0.8 * count;
 }
 }
 

@@ -17,6 +17,7 @@ namespace
 // A leaf is searched for a maximum when its diagonal is no longer than this part of its bound.
 constexpr double Small = 0.5;
 constexpr std::size_t MostLeaves = 256; // of a round
+constexpr int Patience = 100;           // rounds without a sphere
 // Keeps spheres apart by more than rounding.
 constexpr double Shrink = 1.0 - 1e-9;
 
@@ -174,7 +175,8 @@ private:
       {
         this->Most = this->TopOf(entry.Band);
       }
-      const bool climbs = cell.Diagonal() < Small * cell.Bound;
+      const bool forced = this->Stalled >= Patience && cell.Clearance > this->Goal.LeastRadius;
+      const bool climbs = forced || cell.Diagonal() < Small * cell.Bound;
       if (climbs &&
         std::any_of(climbers.begin(), climbers.end(),
           [&](const Vector3& other) { return Length(other - cell.Middle) < this->Most; }))
@@ -195,6 +197,10 @@ private:
       this->Tasks.back().Climbs = climbs;
       // Of a leaf that is as good as a point, nothing larger can come.
       this->Tasks.back().Enough = std::min(this->TopOf(entry.Band - 1), 0.999 * cell.Bound);
+      if (forced)
+      {
+        this->Tasks.back().Enough = 0.0;
+      }
     }
     for (const Entry& entry : this->Waiting)
     {
@@ -243,11 +249,15 @@ private:
     {
       this->Loosen();
     }
+    // What was not measured against a band is measured against the best.
+    const double least = spheres.empty() ? 0.0 : (1.0 - this->Tolerance) * spheres.front().Radius;
+    ++this->Stalled;
     for (const PackedSphere& sphere : spheres)
     {
-      if (!this->IsDone() && this->IsFree(sphere, before))
+      if (!this->IsDone() && sphere.Radius >= least && this->IsFree(sphere, before))
       {
         this->Tree.Insert(sphere);
+        this->Stalled = 0;
         this->Volume +=
           4.0 / 3.0 * 3.14159265358979323846 * sphere.Radius * sphere.Radius * sphere.Radius;
       }
@@ -299,6 +309,7 @@ private:
   std::vector<Entry> Waiting;
   double Most = 0.0; // the largest bound
   double Volume = 0.0;
+  int Stalled = 0; // rounds since the last sphere
   // What is tolerated below the largest bound, and by how much the bounds of a band differ. The
   // first sphere is found more exactly.
   double Tolerance = 0.03;

@@ -22,12 +22,14 @@ struct PackingGoal
 using PackingProgress = std::function<bool(std::int64_t count, double volume)>;
 
 /// Fills the inside of a surface, whose triangles are turned outwards, with spheres that overlap
-/// neither each other nor the surface: again and again the largest that fits, to within a tenth.
+/// neither each other nor the surface: again and again about the largest that fits.
 /// They are sorted, largest first. The result does not depend on the threads.
 ///
-/// Leaves of an octree are split where the bound of the clearance is largest, as in a
-/// branch-and-bound search, of several at once. When a local maximum is within a tenth of the
-/// largest bound, it is a sphere.
+/// Leaves of an octree are split where the bound of the clearance is largest, as in a branch-and-
+/// bound search, many at once. From small ones, the clearance is climbed; what is found becomes a
+/// sphere if its radius lies in the band of bounds of its leaf. In gaps that are thin for their
+/// width, bounds stay far above all clearances for long: after some time the best that can be
+/// climbed to from any leaf is taken.
 std::vector<PackedSphere> PackSpheres(const SurfaceMesh& mesh, const PackingGoal& goal,
   const ParallelFor& parallelFor, const PackingProgress& progress);
 }

@@ -14,6 +14,48 @@ void Write(std::ostream& os, const Vector3& point)
 {
   os << "(" << point.X << ", " << point.Y << ", " << point.Z << ")";
 }
+
+// One of each triangle, if all have an even number of copies, as where both sides are drawn. Single
+// pairs are walls within a solid.
+void DropCopies(std::vector<Triangle>& triangles)
+{
+  const auto key = [](Triangle triangle)
+  {
+    std::sort(triangle.begin(), triangle.end());
+    return triangle;
+  };
+  std::vector<std::int32_t> order(triangles.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(),
+    [&](std::int32_t a, std::int32_t b)
+    {
+      const Triangle one = key(triangles[a]);
+      const Triangle other = key(triangles[b]);
+      return one != other ? one < other : a < b;
+    });
+  std::vector<std::int32_t> kept;
+  for (std::size_t first = 0; first < order.size();)
+  {
+    std::size_t last = first;
+    while (last < order.size() && key(triangles[order[last]]) == key(triangles[order[first]]))
+    {
+      ++last;
+    }
+    if ((last - first) % 2 != 0)
+    {
+      return;
+    }
+    kept.push_back(order[first]);
+    first = last;
+  }
+  std::sort(kept.begin(), kept.end());
+  std::vector<Triangle> single;
+  for (const std::int32_t i : kept)
+  {
+    single.push_back(triangles[i]);
+  }
+  triangles = std::move(single);
+}
 }
 
 //------------------------------------------------------------------------------
@@ -82,6 +124,7 @@ void MergePoints(SurfaceMesh& mesh)
     }
   }
   mesh.Triangles = std::move(triangles);
+  DropCopies(mesh.Triangles);
 }
 
 //------------------------------------------------------------------------------

@@ -56,7 +56,8 @@ inline void ForEachEdgeGroup(const std::vector<MeshEdge>& edges, Visit visit)
   }
 }
 
-/// Makes points at the same place one point, and drops triangles that have become lines.
+/// Makes points at the same place one point, and drops triangles that have become lines. Where
+/// there are several copies of all triangles, one of each is left.
 void MergePoints(SurfaceMesh& mesh);
 
 /// Where the surface is open, in words, or nothing if each edge has an even number of triangles.
