@@ -68,24 +68,24 @@ def test_random_surfaces(rng, roughness):
 
 def test_bunny(data_file, rng):
     mesh = pv.read(data_file("imb_bunny.obj"))
-    packing = pack(mesh, 2000)
+    packing = pack(mesh, 500)
     check_packing(packing, mesh, rng)
-    assert packing.field_data["volume_fraction"][0] > 0.75
+    assert packing.field_data["volume_fraction"][0] > 0.7
 
 
 def test_pig(data_file, rng):
     mesh = read_off(data_file("vhacd_pig.off"))
-    packing = pack(mesh, 2000)
+    packing = pack(mesh, 500)
     check_packing(packing, mesh, rng)
-    assert packing.field_data["volume_fraction"][0] > 0.75
+    assert packing.field_data["volume_fraction"][0] > 0.7
 
 
 def test_dragon_with_edges_that_many_triangles_share(data_file, rng):
     mesh = pv.read(data_file("stanford_dragon_vrip_res3.ply"))
-    packing = pack(mesh, 2000)
+    packing = pack(mesh, 300)
     # As scanned it is turned outwards everywhere.
-    check_packing(packing, mesh, rng)
-    assert packing.field_data["volume_fraction"][0] > 0.65
+    check_packing(packing, mesh, rng, samples=80)
+    assert packing.field_data["volume_fraction"][0] > 0.55
 
 
 # --- the largest comes first ------------------------------------------------------------------

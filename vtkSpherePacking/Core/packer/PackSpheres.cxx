@@ -13,7 +13,6 @@ namespace spherepacking
 {
 namespace
 {
-
 // A leaf is searched for a maximum when its diagonal is no longer than this part of its bound.
 constexpr double Small = 0.5;
 constexpr std::size_t MostLeaves = 256; // of a round
