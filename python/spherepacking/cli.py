@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import os
 import signal
 import sys
@@ -15,16 +14,6 @@ Vector = tuple[float, float, float]
 Technique = Literal["opengl", "raycast", "pathtrace", "metaballs", "bvh", "grid"]
 Kernel = Literal["inverse", "inverse_square", "gaussian", "wyvill"]
 Output = Annotated[Path, Parameter(alias="-o")]
-
-# In the middle at the bottom. With four labels, none of them is below the title and touches it.
-_BAR = {
-    "n_labels": 4,
-    "fmt": "%.3g",
-    "width": 0.6,
-    "height": 0.09,
-    "position_x": 0.2,
-    "position_y": 0.02,
-}
 
 
 def _version() -> str:
@@ -211,12 +200,13 @@ def render(
     choose_window()
     _load(drawing=True)
 
+    from ._render_options import SCALAR_BAR, check_view, look_of, set_background, set_quality
     from ._technique import add_boxes, add_metaballs, light_of, save_path_trace, save_ray_cast
     from ._view import aim, check_extent, fit
     from .image import check_output
 
     check_output(output)
-    _check_view(size, zoom, view_angle, anti_aliasing)
+    check_view(size, zoom, view_angle, anti_aliasing)
     cast = technique in ("raycast", "pathtrace")
     if cast and opacity != 1.0:
         raise ValueError(f"--opacity: found {opacity}, expected 1 with --technique {technique}")
@@ -227,9 +217,9 @@ def render(
     check_extent(str(packing), spheres)
     plotter = pv.Plotter(off_screen=True, window_size=list(size))
     try:
-        _set_background(plotter, background)
-        _set_quality(plotter, opacity, anti_aliasing)
-        look = _look(plotter, spheres, scalars, cmap, clim, log_scale, color)
+        set_background(plotter, background)
+        set_quality(plotter, opacity, anti_aliasing)
+        look = look_of(plotter, spheres, scalars, cmap, clim, log_scale, color)
         shine = {"opacity": opacity, "specular": 0.3, "specular_power": 20.0}
         shown = spheres
         if technique == "metaballs":
@@ -238,7 +228,9 @@ def render(
             shown = add_metaballs(plotter, spheres, words | look | shine)
         else:
             bar = scalar_bar and not cast
-            plotter.packing.add(spheres, **look, **shine, show_scalar_bar=bar, scalar_bar_args=_BAR)
+            plotter.packing.add(
+                spheres, **look, **shine, show_scalar_bar=bar, scalar_bar_args=SCALAR_BAR
+            )
         if technique in ("bvh", "grid"):
             shown = add_boxes(plotter, spheres, technique, boxes, cuts)
         aim(plotter.camera, camera, focal, up)
@@ -280,88 +272,6 @@ def render(
         plotter.packing.screenshot(output, transparent_background=transparent)
     finally:
         plotter.close()
-
-
-def _set_background(plotter: object, background: str | None) -> None:
-    from ._arguments import color_of
-
-    if background is not None:
-        plotter.set_background(color_of("--background", background))
-
-
-def _set_quality(plotter: object, opacity: float, anti_aliasing: bool) -> None:
-    """Smooth edges, and mix what is seen through one another in the right order."""
-    if opacity < 1.0:
-        # Neither several samples a pixel nor VTK's larger picture go with peeling.
-        plotter.render_window.SetMultiSamples(1)
-        plotter.enable_depth_peeling()
-    if anti_aliasing and opacity < 1.0:
-        # Not enable_anti_aliasing: with EGL and OSMesa PyVista warns, and takes the larger picture.
-        plotter.render_window.SetMultiSamples(0)
-        plotter.renderer.SetUseFXAA(True)
-    elif anti_aliasing:
-        plotter.enable_anti_aliasing("ssaa")
-
-
-def _look(
-    plotter: object,
-    spheres: object,
-    scalars: str | None,
-    cmap: str | None,
-    clim: tuple[float, float] | None,
-    log_scale: bool | None,
-    color: str | None,
-) -> dict[str, object]:
-    """The look that was asked for, and else one that suits the radii."""
-    if scalars is not None and scalars not in spheres.point_data:
-        there = ", ".join(spheres.point_data.keys())
-        raise ValueError(f"--scalars: found no array {scalars!r}, expected one of: {there}")
-    unasked = scalars is None and cmap is None and clim is None
-    if color is None and unasked and _all_alike(spheres):
-        color = plotter.theme.color
-    if log_scale is None and color is None and scalars in (None, "radius"):
-        log_scale, clim = _radius_scale(spheres, clim)
-    return {
-        "scalars": scalars,
-        "cmap": cmap,
-        "clim": clim,
-        "log_scale": bool(log_scale),
-        "color": color,
-    }
-
-
-def _all_alike(packing: object) -> bool:
-    """Whether the radii are equal, so that they give nothing to colour by."""
-    radii = packing.point_data["radius"]
-    return not len(radii) or radii.min() == radii.max()
-
-
-def _radius_scale(
-    packing: object, clim: tuple[float, float] | None
-) -> tuple[bool, tuple[float, float] | None]:
-    """Whether the radii call for a logarithmic scale, and the range of the colour map."""
-    radii = packing.point_data["radius"]
-    positive = radii[radii > 0.0]
-    if not positive.size or positive.max() <= 20.0 * positive.min():
-        return False, clim
-    # Zero has no logarithm, and nothing that is drawn has that radius.
-    return True, clim or (float(positive.min()), float(positive.max()))
-
-
-def _check_view(
-    size: tuple[int, int], zoom: float, view_angle: float | None, anti_aliasing: bool
-) -> None:
-    # OpenGL draws into textures, of which every implementation has 16384 pixels along a side;
-    # smoothing draws twice as many.
-    largest = 8192 if anti_aliasing else 16384
-    if min(size) < 1 or max(size) > largest:
-        raise ValueError(
-            f"--size: found {size[0]} {size[1]}, expected numbers of pixels from 1 to {largest}"
-        )
-    if not 0.0 < zoom < math.inf:
-        raise ValueError(f"--zoom: found {zoom}, expected a finite number above 0")
-    if view_angle is not None and not 0.0 < view_angle < 180.0:
-        raise ValueError(f"--view-angle: found {view_angle}, expected degrees from 0 to 180")
 
 
 @app.command

@@ -51,26 +51,11 @@ struct Frame
   Vector3 Middle;
   double Unit; // a power of two
 
-  // Around the points that triangles have.
   explicit Frame(const SurfaceMesh& mesh)
   {
-    Vector3 low = mesh.Corner(mesh.Triangles.front(), 0);
-    Vector3 high = low;
-    for (const spherepacking::Triangle& triangle : mesh.Triangles)
-    {
-      for (int corner = 0; corner < 3; ++corner)
-      {
-        const Vector3 point = mesh.Corner(triangle, corner);
-        for (int axis = 0; axis < 3; ++axis)
-        {
-          low[axis] = std::min(low[axis], point[axis]);
-          high[axis] = std::max(high[axis], point[axis]);
-        }
-      }
-    }
-    this->Middle = 0.5 * (low + high);
-    const Vector3 size = high - low;
-    const double most = std::max(std::max(size.X, size.Y), size.Z);
+    const spherepacking::MeshBox box = spherepacking::BoxOf(mesh);
+    const double most = box.LongestSide();
+    this->Middle = box.Middle();
     this->Unit = most > 0.0 ? std::exp2(std::round(std::log2(most))) : 1.0;
   }
 

@@ -25,8 +25,8 @@ public:
   {
   }
 
-  /// A sphere by the way from its centre to the middle of the ball, |way| = length; the farthest of
-  /// many are left out.
+  /// A sphere by the way from its centre to the middle of the ball, |way| = length. More than
+  /// there is room for are left out, which makes the bound no lower.
   void Add(const Vector3& way, double length, double sphereRadius)
   {
     if (this->Count == MostSpheres || !(length > 0.0))

@@ -49,8 +49,7 @@ ClearanceTree::ClearanceTree(
   : Surface(surface)
   , Least(least)
 {
-  this->Owned.emplace_back(new Eight);
-  this->Blocks.push_back(this->Owned.back()->data());
+  this->Blocks.emplace_back(new Eight);
   Cell& root = this->Of(0);
   root.Middle = middle;
   root.Half = half;
@@ -228,8 +227,7 @@ std::int32_t ClearanceTree::Install(std::int32_t leaf, Eight&& children)
   if (this->Free.empty())
   {
     block = static_cast<std::int32_t>(this->Blocks.size());
-    this->Owned.emplace_back(new Eight);
-    this->Blocks.push_back(this->Owned.back()->data());
+    this->Blocks.emplace_back(new Eight);
   }
   else
   {
@@ -238,7 +236,7 @@ std::int32_t ClearanceTree::Install(std::int32_t leaf, Eight&& children)
   }
   for (int i = 0; i < 8; ++i)
   {
-    Cell& to = this->Blocks[block][i];
+    Cell& to = (*this->Blocks[block])[i];
     const std::uint32_t birth = to.Birth + 1;
     to = std::move(children[i]);
     to.Birth = birth;

@@ -58,7 +58,7 @@ public:
   /// Spheres are wanted with radii above `least`.
   ClearanceTree(const TriangleTree& surface, const Vector3& middle, float half, double least);
 
-  const Cell& operator[](std::int32_t cell) const { return this->Blocks[cell >> 3][cell & 7]; }
+  const Cell& operator[](std::int32_t cell) const { return (*this->Blocks[cell >> 3])[cell & 7]; }
   bool IsLeaf(std::int32_t cell, std::uint32_t birth) const
   {
     const Cell& at = (*this)[cell];
@@ -82,7 +82,7 @@ public:
   void Insert(const PackedSphere& sphere);
 
 private:
-  Cell& Of(std::int32_t cell) { return this->Blocks[cell >> 3][cell & 7]; }
+  Cell& Of(std::int32_t cell) { return (*this->Blocks[cell >> 3])[cell & 7]; }
   TriangleTree::Nearest Measure(const Cell& parent, std::int32_t guess, Cell& child) const;
   void FindBound(const Cell& parent, const std::array<TriangleTree::Nearest, 8>& nearest,
     int number, Cell& child) const;
@@ -92,8 +92,7 @@ private:
 
   const TriangleTree& Surface;
   const double Least;
-  std::vector<std::unique_ptr<Eight>> Owned;
-  std::vector<Cell*> Blocks;
+  std::vector<std::unique_ptr<Eight>> Blocks;
   std::vector<std::int32_t> Free; ///< blocks
   std::vector<PackedSphere> Packed;
 };

@@ -297,43 +297,6 @@ std::vector<Ids> OrientEachShell(SurfaceMesh& mesh)
   return shells;
 }
 
-struct Box
-{
-  Vector3 Low;
-  Vector3 High;
-
-  bool Has(const Box& other) const
-  {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      if (other.Low[axis] < this->Low[axis] || other.High[axis] > this->High[axis])
-      {
-        return false;
-      }
-    }
-    return true;
-  }
-};
-
-Box BoxOf(const SurfaceMesh& mesh, const Ids& triangles)
-{
-  const Vector3 first = mesh.Corner(mesh.Triangles[triangles.front()], 0);
-  Box box{ first, first };
-  for (const std::int32_t at : triangles)
-  {
-    for (int corner = 0; corner < 3; ++corner)
-    {
-      const Vector3 point = mesh.Corner(mesh.Triangles[at], corner);
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        box.Low[axis] = std::min(box.Low[axis], point[axis]);
-        box.High[axis] = std::max(box.High[axis], point[axis]);
-      }
-    }
-  }
-  return box;
-}
-
 // Whether nearly all of it does: both may share a wall.
 bool LiesWithin(const SurfaceMesh& mesh, const Ids& shell, const TriangleTree& other)
 {
@@ -357,10 +320,10 @@ bool LiesWithin(const SurfaceMesh& mesh, const Ids& shell, const TriangleTree& o
 void OrientShells(SurfaceMesh& mesh)
 {
   const std::vector<Ids> shells = OrientEachShell(mesh);
-  std::vector<Box> boxes;
+  std::vector<MeshBox> boxes;
   for (const Ids& shell : shells)
   {
-    boxes.push_back(BoxOf(mesh, shell));
+    boxes.push_back(BoxOf(Part(mesh, shell)));
   }
   std::vector<int> depths(shells.size(), 0);
   for (std::size_t outer = 0; outer < shells.size(); ++outer)

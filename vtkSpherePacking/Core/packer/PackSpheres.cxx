@@ -55,26 +55,9 @@ struct OctreeCube
 // Around the mesh, shifted at random.
 OctreeCube CubeAround(const SurfaceMesh& mesh, std::uint64_t seed)
 {
-  Vector3 low = mesh.Corner(mesh.Triangles.front(), 0);
-  Vector3 high = low;
-  for (const Triangle& triangle : mesh.Triangles)
-  {
-    for (int corner = 0; corner < 3; ++corner)
-    {
-      const Vector3 point = mesh.Corner(triangle, corner);
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        low[axis] = std::min(low[axis], point[axis]);
-        high[axis] = std::max(high[axis], point[axis]);
-      }
-    }
-  }
-  OctreeCube cube{ 0.5 * (low + high), 0.0f };
-  double half = 0.0;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    half = std::max(half, 0.5 * (high[axis] - low[axis]));
-  }
+  const MeshBox box = BoxOf(mesh);
+  const double half = 0.5 * box.LongestSide();
+  OctreeCube cube{ box.Middle(), static_cast<float>(1.11 * half) };
   std::mt19937_64 random(seed);
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -82,7 +65,6 @@ OctreeCube CubeAround(const SurfaceMesh& mesh, std::uint64_t seed)
     const double unit = static_cast<double>(random() >> 11) * 0x1p-53;
     cube.Middle[axis] += 0.2 * half * (unit - 0.5);
   }
-  cube.Half = static_cast<float>(1.11 * half);
   return cube;
 }
 

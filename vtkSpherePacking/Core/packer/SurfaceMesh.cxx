@@ -77,6 +77,46 @@ double SurfaceMesh::Volume() const
 }
 
 //------------------------------------------------------------------------------
+double MeshBox::LongestSide() const
+{
+  const Vector3 size = this->High - this->Low;
+  return std::max(std::max(size.X, size.Y), size.Z);
+}
+
+//------------------------------------------------------------------------------
+bool MeshBox::Has(const MeshBox& other) const
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (other.Low[axis] < this->Low[axis] || other.High[axis] > this->High[axis])
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+MeshBox BoxOf(const SurfaceMesh& mesh)
+{
+  const Vector3 first = mesh.Corner(mesh.Triangles.front(), 0);
+  MeshBox box{ first, first };
+  for (const Triangle& triangle : mesh.Triangles)
+  {
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      const Vector3 point = mesh.Corner(triangle, corner);
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        box.Low[axis] = std::min(box.Low[axis], point[axis]);
+        box.High[axis] = std::max(box.High[axis], point[axis]);
+      }
+    }
+  }
+  return box;
+}
+
+//------------------------------------------------------------------------------
 std::vector<MeshEdge> EdgesOf(const SurfaceMesh& mesh)
 {
   std::vector<MeshEdge> edges;

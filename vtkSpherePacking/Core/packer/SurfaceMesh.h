@@ -26,6 +26,20 @@ struct SurfaceMesh
   double Volume() const;
 };
 
+/// The bounds of the points that triangles have.
+struct MeshBox
+{
+  Vector3 Low;
+  Vector3 High;
+
+  Vector3 Middle() const { return 0.5 * (this->Low + this->High); }
+  double LongestSide() const;
+  bool Has(const MeshBox& other) const;
+};
+
+/// Of a mesh with triangles.
+MeshBox BoxOf(const SurfaceMesh& mesh);
+
 /// One side of a triangle, from the point of lower index to the other.
 struct MeshEdge
 {
