@@ -49,6 +49,28 @@ inline Float8 Gather(const float* const (&from)[8], int at)
     from[6][at], from[7][at] };
 }
 
+/// Element i is the sum of the elements of vectors[i], for eight vectors.
+inline Float8 SumsOfLanes(const Float8* vectors)
+{
+#if defined(__AVX__)
+  const auto add = [](const Float8& a, const Float8& b) { return _mm256_hadd_ps(a, b); };
+  const Float8 low =
+    add(add(vectors[0], vectors[1]), add(vectors[2], vectors[3])); // of four lanes each
+  const Float8 high = add(add(vectors[4], vectors[5]), add(vectors[6], vectors[7]));
+  return _mm256_permute2f128_ps(low, high, 0x20) + _mm256_permute2f128_ps(low, high, 0x31);
+#else
+  Float8 sums = {};
+  for (int i = 0; i < 8; ++i)
+  {
+    for (int lane = 0; lane < 8; ++lane)
+    {
+      sums[i] += vectors[i][lane];
+    }
+  }
+  return sums;
+#endif
+}
+
 /// Bit i is set where element i of a comparison's result is true.
 inline unsigned Bits(const Int8& mask)
 {

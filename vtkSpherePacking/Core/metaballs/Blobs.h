@@ -58,12 +58,36 @@ inline double Over(double factor, double x)
   return factor / x;
 }
 
+/// How exact the processor's own estimates are.
+constexpr double EstimateError = 1.5 / 4096.0;
+
+/// factor / sqrt(x) to EstimateError.
+inline Float8 NearlyOverRoot(const Float8& factor, const Float8& x)
+{
+#if defined(__AVX__)
+  return factor * _mm256_rsqrt_ps(x);
+#else
+  return factor / Sqrt(x);
+#endif
+}
+
+/// factor / x to EstimateError.
+inline Float8 NearlyOver(const Float8& factor, const Float8& x)
+{
+#if defined(__AVX__)
+  return factor * _mm256_rcp_ps(x);
+#else
+  return factor / x;
+#endif
+}
+
 /// w (r / d)^Power, but not above its value at d = r / 1024, which keeps it finite. For Power = 1
 /// the potential of a charge.
 template <int Power>
 struct InverseBlob
 {
   static constexpr double Core = 1.0 / 1024.0;
+  static constexpr bool HasEstimate = true;
 
   static double Strength(double weight, double radius)
   {
@@ -87,6 +111,13 @@ struct InverseBlob
     return Power == 1 ? OverRoot(strength, length) : Over(strength, length);
   }
 
+  /// Value() to EstimateError.
+  static Float8 Estimate(const Float8& square, const Float8& strength, const Float8& shape)
+  {
+    const Float8 length = Larger(square, shape);
+    return Power == 1 ? NearlyOverRoot(strength, length) : NearlyOver(strength, length);
+  }
+
   template <typename T>
   static T Slope(const T& square, const T& strength, const T& shape)
   {
@@ -101,6 +132,8 @@ struct InverseBlob
 /// Source: Blinn, "A Generalization of Algebraic Surface Drawing" (1982), with a blobbiness of -2.
 struct GaussianBlob
 {
+  static constexpr bool HasEstimate = false;
+
   static double Shape(double radius) { return std::min(1.0 / (radius * radius), 1e36); }
   static double Most(double distance, double strength, double radius)
   {
@@ -133,6 +166,8 @@ struct GaussianBlob
 /// influence of two radii.
 struct WyvillBlob
 {
+  static constexpr bool HasEstimate = false;
+
   static double Shape(double radius) { return std::min(0.25 / (radius * radius), 1e36); }
   static double Most(double distance, double strength, double radius)
   {

@@ -31,9 +31,11 @@ template <typename Blob>
 class BlockSum
 {
 public:
-  void Begin(const FieldGrid& grid, const FieldBlock& block)
+  /// `estimate` allows values, but no gradients, to be wrong by EstimateError.
+  void Begin(const FieldGrid& grid, const FieldBlock& block, bool estimate)
   {
     this->Grid = &grid;
+    this->Estimate = estimate;
     this->Block = block;
     this->Gradient = grid.Gradient != nullptr;
     this->Count = 0;
@@ -151,14 +153,32 @@ private:
           this->SumGradients(i);
         }
       }
+      else if (Blob::HasEstimate && this->Estimate)
+      {
+        this->SumValues<Blob::HasEstimate>(row);
+      }
       else
       {
-        this->SumValues(row);
+        this->SumValues<false>(row);
       }
     }
     this->Count = 0;
   }
 
+  template <bool Estimated>
+  static Float8 ValueOf(const Float8& square, const Float8& strength, const Float8& shape)
+  {
+    if constexpr (Estimated)
+    {
+      return Blob::Estimate(square, strength, shape);
+    }
+    else
+    {
+      return Blob::Value(square, strength, shape);
+    }
+  }
+
+  template <bool Estimated>
   void SumValues(int row)
   {
     // Squares of the distances along y and z, of all charges first: a number is loaded from memory
@@ -183,7 +203,7 @@ private:
 #pragma GCC unroll 8
       for (int i = 0; i < Width; ++i)
       {
-        sums[i] += Blob::Value(along + aside[from][i], strength, shape);
+        sums[i] += ValueOf<Estimated>(along + aside[from][i], strength, shape);
       }
     }
     for (int i = 0; i < Width; ++i)
@@ -267,6 +287,7 @@ private:
 
   const FieldGrid* Grid = nullptr;
   FieldBlock Block;
+  bool Estimate = false;
   bool Gradient = false;
   double Low[3];
   double High[3];

@@ -135,6 +135,37 @@ private:
   const std::int32_t Leaf;
   double Middle = 0.0;
 };
+
+// Splits the leaves of a tree on, until they have no more than `most` charges.
+void SplitLeaves(ChargeTree& tree, std::int32_t most, const ParallelFor& parallelFor)
+{
+  std::vector<std::int32_t> roots;
+  for (std::size_t i = 0; i < tree.Nodes.size(); ++i)
+  {
+    if (tree.Nodes[i].Child < 0 && tree.Nodes[i].Count > most)
+    {
+      roots.push_back(static_cast<std::int32_t>(i));
+    }
+  }
+  std::vector<std::vector<ChargeNode>> parts(roots.size());
+  parallelFor(static_cast<std::int64_t>(roots.size()),
+    [&](std::int64_t i)
+    {
+      const ChargeNode& root = tree.Nodes[roots[i]];
+      parts[i] = Builder(tree.Charges, most).Run(root.First, root.Count);
+    });
+  for (std::size_t i = 0; i < roots.size(); ++i)
+  {
+    // The part's root is there already; its children come first.
+    const auto shift = static_cast<std::int32_t>(tree.Nodes.size()) - 1;
+    for (ChargeNode& node : parts[i])
+    {
+      node.Child += node.Child < 0 ? 0 : shift;
+    }
+    tree.Nodes[roots[i]].Child = parts[i].front().Child;
+    tree.Nodes.insert(tree.Nodes.end(), parts[i].begin() + 1, parts[i].end());
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -147,35 +178,13 @@ ChargeTree BuildChargeTree(
   {
     return tree;
   }
-  // Parts that are large enough for a thread.
-  const std::int32_t part = std::max(leaf, 4096);
+  // The first few splits leave too few parts for all threads; the later ones are little work each.
   const auto count = static_cast<std::int32_t>(tree.Charges.size());
-  tree.Nodes = Builder(tree.Charges, part).Run(0, count);
-  std::vector<std::int32_t> roots;
-  for (std::size_t i = 0; i < tree.Nodes.size(); ++i)
+  tree.Nodes = Builder(tree.Charges, std::max(leaf, count / 4)).Run(0, count);
+  for (std::int32_t part = count / 4; part > leaf;)
   {
-    if (tree.Nodes[i].Child < 0 && tree.Nodes[i].Count > leaf)
-    {
-      roots.push_back(static_cast<std::int32_t>(i));
-    }
-  }
-  std::vector<std::vector<ChargeNode>> parts(roots.size());
-  parallelFor(static_cast<std::int64_t>(roots.size()),
-    [&](std::int64_t i)
-    {
-      const ChargeNode& root = tree.Nodes[roots[i]];
-      parts[i] = Builder(tree.Charges, leaf).Run(root.First, root.Count);
-    });
-  for (std::size_t i = 0; i < roots.size(); ++i)
-  {
-    // The part's root is there already; its children come first.
-    const auto shift = static_cast<std::int32_t>(tree.Nodes.size()) - 1;
-    for (ChargeNode& node : parts[i])
-    {
-      node.Child += node.Child < 0 ? 0 : shift;
-    }
-    tree.Nodes[roots[i]].Child = parts[i].front().Child;
-    tree.Nodes.insert(tree.Nodes.end(), parts[i].begin() + 1, parts[i].end());
+    part = part > 16384 ? part / 4 : leaf;
+    SplitLeaves(tree, part, parallelFor);
   }
   return tree;
 }

@@ -61,6 +61,7 @@ FieldScene PrepareField(BlobKind kind, std::vector<Charge>&& spheres, double rel
   {
     const int power = kind == BlobKind::Inverse ? 1 : 2;
     const int order = OrderOf(power, relativeError);
+    scene.Estimate = relativeError >= EstimateError + Rounding;
     for (int i = 0; i <= order; ++i)
     {
       scene.Indices.emplace_back(power, i);

@@ -23,7 +23,8 @@ struct FieldScene
   BlobKind Kind = BlobKind::Inverse;
   FieldGrid Grid;
   ChargeTree Tree;
-  double Error = 1e-3; ///< relative, of a cluster's field; 0 to sum all one by one
+  double Error = 1e-3;   ///< relative, of a cluster's field; 0 to sum all one by one
+  bool Estimate = false; ///< the error allows spheres one by one to be wrong by EstimateError
   double MostWeight = 0.0;
   ClusterMoments Moments;
   std::vector<TranslationIndex> Indices; ///< of each order up to that of the moments

@@ -184,7 +184,7 @@ private:
     }
     if (!near.empty())
     {
-      this->Sum->Begin(grid, block);
+      this->Sum->Begin(grid, block, this->Scene.Estimate);
       for (const std::int32_t at : near)
       {
         const ChargeNode& node = this->Scene.Tree.Nodes[at];

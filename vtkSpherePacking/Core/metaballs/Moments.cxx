@@ -48,7 +48,7 @@ ClusterMoments ComputeMoments(
   ClusterMoments moments;
   moments.Kept = kept;
   moments.All = MultiIndex(kept.Order, kept.Order);
-  moments.Values.resize(tree.Nodes.size() * kept.Count);
+  moments.Values = HugeArray<float>(tree.Nodes.size() * kept.Count);
   // Nodes whose children are done, those of a height after another.
   constexpr std::int64_t part = 32;
   for (const std::vector<std::int32_t>& nodes : NodesByHeight(tree))

@@ -3,6 +3,7 @@
 #define Moments_h
 
 #include "kernels/BuildBvh.h"
+#include "kernels/HugeArray.h"
 #include "metaballs/Charges.h"
 #include "metaballs/FieldGrid.h"
 #include "metaballs/MultiIndex.h"
@@ -14,8 +15,8 @@ namespace spherepacking
 struct ClusterMoments
 {
   MultiIndex Kept{ 0, 0 };
-  MultiIndex All{ 0, 0 };    ///< to the same order, with all exponents of z
-  std::vector<float> Values; ///< Kept.Count of one node after the other
+  MultiIndex All{ 0, 0 };  ///< to the same order, with all exponents of z
+  HugeArray<float> Values; ///< Kept.Count of one node after the other
 
   SPHEREPACKING_INLINE const float* operator[](std::int32_t node) const
   {

@@ -48,7 +48,7 @@ public:
       [this](const FieldBlock& part)
       {
         this->SetZero(part);
-        this->Sum->Begin(this->Scene.Grid, part);
+        this->Sum->Begin(this->Scene.Grid, part, false);
         const std::vector<Charge>& charges = this->Scene.Tree.Charges;
         if (this->Scene.Error > 0.0 && !charges.empty())
         {
