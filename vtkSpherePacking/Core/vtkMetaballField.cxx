@@ -241,22 +241,25 @@ FieldScene vtkMetaballField::Prepare(const vtkSpherePackingFieldInput& input, co
     sphere.Strength *=
       colors ? colors[static_cast<vtkIdType>(sphere.Id) * components + channel] / 255.0f : 1.0f;
   }
-  FieldScene scene = spherepacking::PrepareField(static_cast<BlobKind>(this->Kernel),
-    std::move(spheres), this->RelativeError, vtkSpherePackingParallelFor());
+  spherepacking::FieldGrid grid;
   for (int axis = 0; axis < 3; ++axis)
   {
-    scene.Grid.Origin[axis] = (box.Origin[axis] - origin[axis]) * scale;
-    scene.Grid.Spacing[axis] = box.Spacing[axis] * scale;
-    scene.Grid.Dimensions[axis] = box.Dimensions[axis];
+    grid.Origin[axis] = (box.Origin[axis] - origin[axis]) * scale;
+    grid.Spacing[axis] = box.Spacing[axis] * scale;
+    grid.Dimensions[axis] = box.Dimensions[axis];
   }
-  scene.Grid.Scale = scale;
-  return scene;
+  grid.Scale = scale;
+  // The parts of a blend have no gradient.
+  const spherepacking::FieldWanted wanted{ !colors && this->ComputeGradient,
+    !colors && this->ComputeStrongest };
+  return spherepacking::PrepareField(static_cast<BlobKind>(this->Kernel), std::move(spheres),
+    this->RelativeError, grid, wanted, vtkSpherePackingParallelFor());
 }
 
 //------------------------------------------------------------------------------
 bool vtkMetaballField::Run(const FieldScene& scene, double from, double to)
 {
-  const std::vector<FieldBlock> blocks = spherepacking::CutIntoBlocks(scene.Grid);
+  const std::vector<FieldBlock> blocks = spherepacking::CutIntoBlocks(scene);
   bool stopped = false;
   vtkSpherePackingMakePieces(
     static_cast<std::int64_t>(blocks.size()),

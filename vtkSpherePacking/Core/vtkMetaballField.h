@@ -21,8 +21,10 @@
  *
  * The error of the field is at most RelativeError times the field; with GAUSSIAN and WYVILL 10^-6
  * times the largest weight is added to that. The sums of INVERSE and INVERSE_SQUARE go through a
- * tree of charges whose far parts are expanded (see metaballs/TruncationError.h for the proof);
- * none is cut off. Where the error allows it, from 3.8e-4 on, near spheres are added with the
+ * tree of charges whose far parts are expanded (see metaballs/TruncationError.h for the proof), or,
+ * if the error may be 10^-3 and no gradient is wanted, through meshes (metaballs/GaussianSum.h),
+ * where these are small beside the spheres, and the steps of the grid differ by less than two.
+ * Nothing is cut off. Where the error allows it, from 3.8e-4 on, near spheres are added with the
  * processor's own estimate of a root, which differs between makes; gradients are not.
  *
  * Work is done on all cores through vtkSMPTools, in blocks of the grid. A progress event follows

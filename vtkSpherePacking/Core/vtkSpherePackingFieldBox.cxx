@@ -42,7 +42,7 @@ public:
     }
     std::vector<float> values(static_cast<std::size_t>(count));
     grid.Field = values.data();
-    const std::vector<FieldBlock> blocks = CutIntoBlocks(grid);
+    const std::vector<FieldBlock> blocks = CutIntoBlocks(this->Scene);
     vtkSpherePackingParallelFor()(static_cast<std::int64_t>(blocks.size()),
       [&](std::int64_t i) { SumField(this->Scene, blocks[i]); });
     grid.Field = nullptr;

@@ -44,12 +44,13 @@ void* AllocateHugePages(std::size_t length)
   {
     return AllocateAligned(length);
   }
-  const std::size_t whole = (length + page - 1) / page * page;
-  void* memory = std::aligned_alloc(page, whole);
-  if (memory)
+  void* memory = nullptr;
+  if (posix_memalign(&memory, page, length) != 0)
   {
-    AdviseHugePages(memory, whole);
+    return nullptr;
   }
+  // What is left of the last page stays on small ones, or it would be in memory as a whole.
+  AdviseHugePages(memory, length / page * page);
   return memory;
 }
 #else

@@ -4,6 +4,7 @@
 #define FieldKernel_h
 
 #include "metaballs/FieldSummer.h"
+#include "metaballs/MeshSummer.h"
 #include "metaballs/Strongest.h"
 
 namespace spherepacking
@@ -13,7 +14,11 @@ inline namespace SPHEREPACKING_ISA
 template <int Power>
 inline void SumInverse(const FieldScene& scene, const FieldBlock& block)
 {
-  if (scene.Error > 0.0 && !scene.Tree.Nodes.empty())
+  if (scene.Mesh)
+  {
+    MeshSummer<Power>(scene).Run(block);
+  }
+  else if (scene.Error > 0.0 && !scene.Tree.Nodes.empty())
   {
     FieldSummer<Power>(scene).Run(block);
   }

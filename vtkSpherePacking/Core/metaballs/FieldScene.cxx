@@ -41,11 +41,12 @@ constexpr int Leaf = 32;
 
 //------------------------------------------------------------------------------
 FieldScene PrepareField(BlobKind kind, std::vector<Charge>&& spheres, double relativeError,
-  const ParallelFor& parallelFor)
+  const FieldGrid& grid, FieldWanted wanted, const ParallelFor& parallelFor)
 {
   std::vector<Charge> charges = std::move(spheres);
   FieldScene scene;
   scene.Kind = kind;
+  scene.Grid = grid;
   for (Charge& charge : charges)
   {
     scene.MostWeight = std::max(scene.MostWeight, static_cast<double>(charge.Strength));
@@ -54,12 +55,22 @@ FieldScene PrepareField(BlobKind kind, std::vector<Charge>&& spheres, double rel
   charges.erase(std::remove_if(charges.begin(), charges.end(), [](const Charge& charge)
                   { return !(charge.Strength > 0.0f && charge.Radius > 0.0f); }),
     charges.end());
-  scene.Tree = BuildChargeTree(std::move(charges), Leaf, parallelFor);
   const bool expanded = kind == BlobKind::Inverse || kind == BlobKind::InverseSquare;
+  const int power = kind == BlobKind::Inverse ? 1 : 2;
+  if (expanded && !wanted.Gradient && relativeError >= GaussianSumError &&
+    IsForMesh(charges, grid, power))
+  {
+    if (wanted.Strongest)
+    {
+      scene.Tree = BuildChargeTree(std::vector<Charge>(charges), Leaf, parallelFor);
+    }
+    scene.Mesh = BuildFieldMesh(std::move(charges), grid, power, parallelFor);
+    return scene;
+  }
+  scene.Tree = BuildChargeTree(std::move(charges), Leaf, parallelFor);
   scene.Error = relativeError > 0.0 ? Truncation * relativeError - Rounding : 0.0;
   if (relativeError > 0.0 && expanded)
   {
-    const int power = kind == BlobKind::Inverse ? 1 : 2;
     const int order = OrderOf(power, relativeError);
     scene.Estimate = relativeError >= EstimateError + Rounding;
     for (int i = 0; i <= order; ++i)
@@ -73,8 +84,16 @@ FieldScene PrepareField(BlobKind kind, std::vector<Charge>&& spheres, double rel
 }
 
 //------------------------------------------------------------------------------
-std::vector<FieldBlock> CutIntoBlocks(const FieldGrid& grid)
+FieldScene PrepareField(BlobKind kind, std::vector<Charge>&& spheres, double relativeError,
+  const ParallelFor& parallelFor)
 {
+  return PrepareField(kind, std::move(spheres), relativeError, FieldGrid{}, {}, parallelFor);
+}
+
+//------------------------------------------------------------------------------
+std::vector<FieldBlock> CutIntoBlocks(const FieldScene& scene)
+{
+  const FieldGrid& grid = scene.Grid;
   const auto count = [&](std::int64_t side)
   {
     std::int64_t blocks = 1;
@@ -84,23 +103,33 @@ std::vector<FieldBlock> CutIntoBlocks(const FieldGrid& grid)
     }
     return blocks;
   };
-  int side = 32;
-  while (side > 8 && count(side) < 64)
+  std::int64_t sides[3] = { 32, 32, 32 };
+  if (scene.Mesh)
   {
-    side /= 2;
+    // Long rows are summed fastest, and least is done for the nodes about a block.
+    sides[0] = 1024;
+    sides[1] = 32;
+    sides[2] = 8;
+  }
+  else
+  {
+    while (sides[0] > 8 && count(sides[0]) < 64)
+    {
+      std::fill_n(sides, 3, sides[0] / 2);
+    }
   }
   std::vector<FieldBlock> blocks;
-  for (std::int64_t z = 0; z < grid.Dimensions[2]; z += side)
+  for (std::int64_t z = 0; z < grid.Dimensions[2]; z += sides[2])
   {
-    for (std::int64_t y = 0; y < grid.Dimensions[1]; y += side)
+    for (std::int64_t y = 0; y < grid.Dimensions[1]; y += sides[1])
     {
-      for (std::int64_t x = 0; x < grid.Dimensions[0]; x += side)
+      for (std::int64_t x = 0; x < grid.Dimensions[0]; x += sides[0])
       {
         FieldBlock block{ { x, y, z }, {} };
         for (int axis = 0; axis < 3; ++axis)
         {
           block.Count[axis] = static_cast<int>(
-            std::min<std::int64_t>(side, grid.Dimensions[axis] - block.First[axis]));
+            std::min<std::int64_t>(sides[axis], grid.Dimensions[axis] - block.First[axis]));
         }
         blocks.push_back(block);
       }

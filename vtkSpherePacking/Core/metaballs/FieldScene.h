@@ -4,6 +4,7 @@
 #define FieldScene_h
 
 #include "metaballs/FieldGrid.h"
+#include "metaballs/FieldMesh.h"
 #include "metaballs/Moments.h"
 #include "metaballs/TranslationIndex.h"
 
@@ -18,12 +19,20 @@ enum class BlobKind
   Wyvill
 };
 
+/// What is to be computed beside the field.
+struct FieldWanted
+{
+  bool Gradient = false;
+  bool Strongest = false;
+};
+
 struct FieldScene
 {
   BlobKind Kind = BlobKind::Inverse;
   FieldGrid Grid;
   ChargeTree Tree;
-  double Error = 1e-3;   ///< relative, of a cluster's field; 0 to sum all one by one
+  std::unique_ptr<FieldMesh> Mesh; ///< in place of the tree, or null
+  double Error = 1e-3;             ///< relative, of a cluster's field; 0 to sum all one by one
   bool Estimate = false; ///< the error allows spheres one by one to be wrong by EstimateError
   double MostWeight = 0.0;
   ClusterMoments Moments;
@@ -32,13 +41,17 @@ struct FieldScene
 };
 
 /// Takes spheres whose strengths are their weights; those of radius or weight 0 are left out.
-/// Lengths are best scaled so that the spheres and the grid, which Grid is to be set to, are about
-/// 1 long.
+/// Lengths are best scaled so that the spheres and the grid are about 1 long. The grid's arrays
+/// need not be there yet, but what is said to be wanted is what they may be.
+FieldScene PrepareField(BlobKind kind, std::vector<Charge>&& spheres, double relativeError,
+  const FieldGrid& grid, FieldWanted wanted, const ParallelFor& parallelFor);
+
+/// For grids that are chosen later.
 FieldScene PrepareField(BlobKind kind, std::vector<Charge>&& spheres, double relativeError,
   const ParallelFor& parallelFor);
 
 /// Parts of a grid, each some milliseconds of work.
-std::vector<FieldBlock> CutIntoBlocks(const FieldGrid& grid);
+std::vector<FieldBlock> CutIntoBlocks(const FieldScene& scene);
 
 /// Sets the field, and the gradient if it is wanted, at the places of a block.
 void SumField(const FieldScene& scene, const FieldBlock& block);

@@ -4,6 +4,7 @@
 #define SPHEREPACKING_ISA Avx2
 #include "metaballs/FieldKernel.h"
 #include "metaballs/MomentsKernel.h"
+#include "metaballs/SpreadCharges.h"
 
 #include "metaballs/SumFieldAvx2.h"
 
@@ -26,5 +27,22 @@ void ComputeMomentsAvx2(
   const ChargeTree& tree, const std::int32_t* nodes, int count, ClusterMoments& moments)
 {
   ComputeMomentsKernel(tree, nodes, count, moments);
+}
+//------------------------------------------------------------------------------
+void SpreadCellsAvx2(FieldMesh& mesh, int y, int z)
+{
+  SpreadCells(mesh, y, z);
+}
+
+//------------------------------------------------------------------------------
+void CollectChargesAvx2(const MeshRows& fine, MeshLevel& level, const MeshBox& box)
+{
+  CollectCharges(fine, level, box);
+}
+
+//------------------------------------------------------------------------------
+void MakeMeshFieldAvx2(FieldMesh& mesh, std::size_t level, const MeshBox& box)
+{
+  MakeMeshField(mesh, level, box);
 }
 }

@@ -2,6 +2,7 @@
 #ifndef SumFieldAvx2_h
 #define SumFieldAvx2_h
 
+#include "metaballs/FieldMesh.h"
 #include "metaballs/FieldScene.h"
 
 namespace spherepacking
@@ -11,6 +12,9 @@ void SumFieldAvx2(const FieldScene& scene, const FieldBlock& block);
 void FindStrongestAvx2(const FieldScene& scene, const FieldBlock& block);
 void ComputeMomentsAvx2(
   const ChargeTree& tree, const std::int32_t* nodes, int count, ClusterMoments& moments);
+void SpreadCellsAvx2(FieldMesh& mesh, int y, int z);
+void CollectChargesAvx2(const MeshRows& fine, MeshLevel& level, const MeshBox& box);
+void MakeMeshFieldAvx2(FieldMesh& mesh, std::size_t level, const MeshBox& box);
 }
 
 #endif
