@@ -45,10 +45,10 @@ class MetaballsOfPacking:
 
         The sums of the inverse kernels, which reach everywhere, go through a tree of spheres whose
         far parts are expanded (L. Greengard and V. Rokhlin, "A Fast Algorithm for Particle
-        Simulations", 1987; W. Dehnen, "A Hierarchical O(N) Force Calculation Algorithm", 2002). Of
-        many spheres, and to 1e-3 or less exactly without a gradient, what is smooth of the sums goes
-        through meshes (D. Hardy, J. Stone and K. Schulten, "Multilevel summation of electrostatic
-        potentials using graphics processing units", 2009), which takes a third of the time.
+        Simulations", 1987; W. Dehnen, "A Hierarchical O(N) Force Calculation Algorithm", 2002).
+        What is smooth of the sums of many spheres goes through meshes, if the error may be 1e-3 and
+        no gradient is wanted (D. Hardy, J. Stone and K. Schulten, "Multilevel summation of
+        electrostatic potentials using graphics processing units", 2009), in a third of the time.
 
         Parameters
         ----------

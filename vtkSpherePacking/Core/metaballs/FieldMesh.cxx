@@ -3,6 +3,7 @@
 
 #include "kernels/Processor.h"
 #include "metaballs/Blobs.h"
+#include "metaballs/MeshCells.h"
 #include "metaballs/MeshKernel.h"
 #include "metaballs/SpreadCharges.h"
 
@@ -108,20 +109,6 @@ void SetWindow(const double (&step)[3], int (&window)[3])
   window[0] = (window[0] + 7) / 8 * 8;
 }
 
-void BoundsOf(const std::vector<Charge>& charges, double (&low)[3], double (&high)[3])
-{
-  std::copy_n(charges.front().X, 3, low);
-  std::copy_n(charges.front().X, 3, high);
-  for (const Charge& charge : charges)
-  {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      low[axis] = std::min(low[axis], charge.X[axis]);
-      high[axis] = std::max(high[axis], charge.X[axis]);
-    }
-  }
-}
-
 class Builder
 {
 public:
@@ -141,8 +128,7 @@ public:
 
   void Run(std::vector<Charge>&& charges)
   {
-    this->SortIntoCells(std::move(charges));
-    this->SpreadAll();
+    this->MakeFinest(std::move(charges));
     while (this->AddLevel())
     {
     }
@@ -154,7 +140,8 @@ public:
     {
       MeshArray& field = this->Mesh.Levels[level].Field;
       field.Allocate();
-      this->ForParts(field.Rows.Box, [&](const MeshBox& part) { MakeField(this->Mesh, level, part); });
+      this->ForParts(
+        field.Rows.Box, [&](const MeshBox& part) { MakeField(this->Mesh, level, part); });
       this->Mesh.Levels[level].Charges = MeshArray();
       if (level + 1 < this->Mesh.Levels.size())
       {
@@ -201,73 +188,23 @@ private:
     std::copy_n(polynomial, terms, this->Mesh.Smooth);
   }
 
-  void SortIntoCells(std::vector<Charge>&& charges)
+  void MakeFinest(std::vector<Charge>&& charges)
   {
     FieldMesh& mesh = this->Mesh;
-    mesh.Charges = std::move(charges);
-    std::vector<Charge>& from = mesh.Charges;
-    double low[3];
-    double high[3];
-    BoundsOf(from, low, high);
-    MeshBox& cells = mesh.Cells;
+    const ChargeBox box = BoxOf(charges);
     MeshLevel finest;
     MeshBox& nodes = finest.Charges.Rows.Box;
     for (int axis = 0; axis < 3; ++axis)
     {
-      cells.First[axis] = mesh.LowestNode(axis, low[axis]);
-      const int last = mesh.LowestNode(axis, high[axis]);
-      cells.Count[axis] = (last - cells.First[axis]) / mesh.Window[axis] + 1;
-      nodes.First[axis] = cells.First[axis];
-      nodes.Count[axis] = last - cells.First[axis] + mesh.Window[axis];
-    }
-    std::vector<std::int32_t> owners(from.size());
-    constexpr std::int64_t part = 16384;
-    const auto count = static_cast<std::int64_t>(from.size());
-    this->Each((count + part - 1) / part,
-      [&](std::int64_t number)
-      {
-        for (std::int64_t i = number * part; i < std::min(count, (number + 1) * part); ++i)
-        {
-          int at[3];
-          for (int axis = 0; axis < 3; ++axis)
-          {
-            at[axis] =
-              (mesh.LowestNode(axis, from[i].X[axis]) - cells.First[axis]) / mesh.Window[axis];
-          }
-          owners[i] = at[0] + cells.Count[0] * (at[1] + cells.Count[1] * at[2]);
-        }
-      });
-    std::vector<std::int32_t>& starts = mesh.CellStarts;
-    starts.assign(static_cast<std::size_t>(cells.Nodes()) + 1, 0);
-    for (const std::int32_t owner : owners)
-    {
-      ++starts[owner + 1];
-    }
-    for (std::size_t cell = 1; cell < starts.size(); ++cell)
-    {
-      starts[cell] += starts[cell - 1];
-    }
-    // Where each goes, and then, one circle of exchanges after the other, there.
-    std::vector<std::int32_t> next(starts.begin(), starts.end() - 1);
-    for (std::int32_t& owner : owners)
-    {
-      owner = next[owner]++;
-    }
-    for (std::size_t i = 0; i < from.size(); ++i)
-    {
-      while (owners[i] != static_cast<std::int32_t>(i))
-      {
-        const std::int32_t to = owners[i];
-        std::swap(from[i], from[to]);
-        std::swap(owners[i], owners[to]);
-      }
-    }
-    for (int axis = 0; axis < 3; ++axis)
-    {
+      nodes.First[axis] = mesh.LowestNode(axis, box.Low[axis]);
+      nodes.Count[axis] =
+        mesh.LowestNode(axis, box.High[axis]) - nodes.First[axis] + mesh.Window[axis];
       finest.Field.Rows.Box.Count[axis] = static_cast<int>(this->Grid.Dimensions[axis]);
     }
     finest.Charges.Rows = MeshRows(nodes, 0);
     mesh.Levels.push_back(std::move(finest));
+    SortIntoCells(std::move(charges), mesh, this->Each);
+    this->SpreadAll();
   }
 
   void SpreadAll()
@@ -276,8 +213,8 @@ private:
     MeshArray& charges = this->Mesh.Levels[0].Charges;
     charges.Allocate();
     const MeshRows& rows = charges.Rows;
-    this->Each(rows.Box.Count[2], [&](std::int64_t z)
-      { std::fill_n(rows.Values + z * rows.Step(2), rows.Step(2), 0.0f); });
+    this->Each(rows.Box.Count[2],
+      [&](std::int64_t z) { std::fill_n(rows.Values + z * rows.Step(2), rows.Step(2), 0.0f); });
     // Every other row of cells along y and z: those do not meet.
     for (int odd = 0; odd < 4; ++odd)
     {
@@ -342,8 +279,8 @@ private:
     coarse.Charges.Rows = MeshRows(coarse.Charges.Rows.Box, 0);
     coarse.Field.Rows = MeshRows(coarse.Field.Rows.Box, 0);
     coarse.Charges.Allocate();
-    this->ForParts(
-      coarse.Charges.Rows.Box, [&](const MeshBox& part) { Collect(fine.Charges.Rows, coarse, part); });
+    this->ForParts(coarse.Charges.Rows.Box,
+      [&](const MeshBox& part) { Collect(fine.Charges.Rows, coarse, part); });
     this->Mesh.Levels.push_back(std::move(coarse));
     return true;
   }
@@ -440,15 +377,13 @@ bool IsForMesh(const std::vector<Charge>& charges, const FieldGrid& grid, int po
   {
     return false;
   }
-  double low[3];
-  double high[3];
-  BoundsOf(charges, low, high);
+  const ChargeBox box = BoxOf(charges);
   int window[3];
   SetWindow(grid.Spacing, window);
   double nodes = 1.0;
   for (int axis = 0; axis < 3; ++axis)
   {
-    nodes *= (high[axis] - low[axis]) / grid.Spacing[axis] + window[axis] + 1;
+    nodes *= (box.High[axis] - box.Low[axis]) / grid.Spacing[axis] + window[axis] + 1;
   }
   constexpr double nodesOfCharge = 14.0; // with all meshes and the charges, 150 bytes a sphere
   return nodes <= nodesOfCharge * static_cast<double>(charges.size());

@@ -59,8 +59,7 @@ inline void SumTaps(
 /// Sets all values to sums along y or z. Node n of the target is at `middle(n)` of the source, and
 /// has the taps `taps(n)`; what is outside the source is 0.
 template <typename Middle, typename Taps>
-inline void SumAlong(
-  int axis, const MeshRows& from, const MeshRows& to, Middle middle, Taps tapsOf)
+inline void SumAlong(int axis, const MeshRows& from, const MeshRows& to, Middle middle, Taps tapsOf)
 {
   const int low = from.Box.First[axis];
   const int end = low + from.Box.Count[axis];
@@ -112,8 +111,7 @@ struct MeshScratch
     {
       std::copy_n(from.At(low, y, z), end - low, this->Source.data() + (low - first));
     }
-    SumTaps<Add>(
-      this->Source.data(), 1, taps.Weights.data(), 2 * taps.Radius + 1, to, width);
+    SumTaps<Add>(this->Source.data(), 1, taps.Weights.data(), 2 * taps.Radius + 1, to, width);
   }
 };
 
@@ -129,16 +127,15 @@ inline MeshBox WithAxis(MeshBox box, int axis, const MeshBox& other)
 inline MeshBox NearAlongY(MeshBox box, const MeshBox& other, int nodes)
 {
   const int low = std::max(box.First[1], other.First[1] - nodes);
-  const int end =
-    std::min(box.First[1] + box.Count[1], other.First[1] + other.Count[1] + nodes);
+  const int end = std::min(box.First[1] + box.Count[1], other.First[1] + other.Count[1] + nodes);
   box.First[1] = low;
   box.Count[1] = std::max(end - low, 0);
   return box;
 }
 
 /// Adds to each value the sum over the nodes about it.
-inline void AddSmoothed(const MeshRows& from, const MeshLevel::Kernel& kernel, const MeshRows& to,
-  MeshScratch& scratch)
+inline void AddSmoothed(
+  const MeshRows& from, const MeshLevel::Kernel& kernel, const MeshRows& to, MeshScratch& scratch)
 {
   const MeshTaps(&taps)[3] = kernel.Along;
   const auto same = [](int n) { return n; };
@@ -150,8 +147,8 @@ inline void AddSmoothed(const MeshRows& from, const MeshLevel::Kernel& kernel, c
   ForEachRow(to.Box,
     [&](int y, int z)
     {
-      scratch.SumRow<true>(lines, y, z, to.Box.First[0], taps[0], to.Box.Count[0],
-        to.At(to.Box.First[0], y, z));
+      scratch.SumRow<true>(
+        lines, y, z, to.Box.First[0], taps[0], to.Box.Count[0], to.At(to.Box.First[0], y, z));
     });
 }
 

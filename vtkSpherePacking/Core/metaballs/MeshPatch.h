@@ -43,9 +43,10 @@ inline void ForEachRow(const MeshBox& box, Visit visit)
   }
 }
 
-/// Calls add(charge, rows) for charges, which adds to values in single precision. Of a cell's charges
-/// in one place that many would lose digits, some are added up by themselves first: n charges are
-/// wrong by 2^-24 times 512, or twice the root of n, at most. `box` has all nodes that they change.
+/// Calls add(charge, rows) for charges, which adds to values in single precision. Of a cell's
+/// charges in one place that many would lose digits, some are added up by themselves first: n
+/// charges are wrong by 2^-24 times 512, or twice the root of n, at most. `box` has all nodes that
+/// they change.
 template <typename Add>
 inline void AddInParts(const Charge* charges, std::int32_t count, const MeshBox& box,
   const MeshRows& to, MeshPatch& patch, Add add)

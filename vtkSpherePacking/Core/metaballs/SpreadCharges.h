@@ -70,8 +70,8 @@ private:
   const FieldMesh& Mesh;
 };
 
-/// Spreads the charges of a row of cells along x. Those of the rows next to it in y and z must not be
-/// spread meanwhile.
+/// Spreads the charges of a row of cells along x. Those of the rows next to it in y and z must not
+/// be spread meanwhile.
 inline void SpreadCells(FieldMesh& mesh, int y, int z)
 {
   const ChargeSpreader spreader(mesh);
@@ -89,8 +89,8 @@ inline void SpreadCells(FieldMesh& mesh, int y, int z)
     }
     const std::int32_t* starts = mesh.CellAt(x, y, z);
     AddInParts(mesh.Charges.data() + starts[0], starts[1] - starts[0], box,
-      mesh.Levels[0].Charges.Rows, patch, [&](const Charge& charge, const MeshRows& to)
-      { spreader.Add(charge, to); });
+      mesh.Levels[0].Charges.Rows, patch,
+      [&](const Charge& charge, const MeshRows& to) { spreader.Add(charge, to); });
   }
 }
 }
