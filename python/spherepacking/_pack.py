@@ -26,8 +26,9 @@ def pack(
     of ProtoSphere: a few large spheres, and ever smaller ones between them and along the surface.
     The spheres are sorted by their radii; the first of them are a packing, too.
 
-    Points of the surface may coincide, triangles may be turned either way, and more than two may
-    share an edge. Of several shells, one that lies within another bounds a hole.
+    Points of the surface may coincide, or nearly so, triangles may be there twice and turned either
+    way, and more than two may share an edge. Of several shells, one that lies within another bounds
+    a hole.
 
     Parameters
     ----------
@@ -55,7 +56,8 @@ def pack(
     TypeError
         If `mesh` is no PolyData, or `count` or `seed` no integer.
     ValueError
-        If a number is out of range or the surface is not closed; the message says where it is open.
+        If a number is out of range, no sphere of `min_radius` fits, or the surface is not closed;
+        the message says where it is open.
 
     Warns
     -----

@@ -42,8 +42,13 @@ def read_surface(path: Path) -> pv.PolyData:
         from ._backend import vtkOFFReader
 
         reader = vtkOFFReader()
+        errors = []
+        for source in (reader, reader.GetExecutive()):
+            source.AddObserver("ErrorEvent", lambda *_: errors.append(True))  # not printed
         reader.SetFileName(str(path))
         reader.Update()
+        if errors:
+            raise ValueError(f"{path}: is no OFF file that can be read")
         mesh = pv.PolyData()
         mesh.ShallowCopy(reader.GetOutput())
     else:

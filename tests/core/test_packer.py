@@ -198,6 +198,41 @@ def test_every_triangle_twice(rng, turned):
     assert packing.field_data["surface_volume"][0] == pytest.approx(mesh.volume, rel=1e-4)
 
 
+def test_some_triangles_twice(rng):
+    mesh = blob(rng)
+    faces = mesh.faces.reshape(-1, 4)[:, 1:]
+    more = faces[rng.random(len(faces)) < 0.3]
+    packing = pack(surface_of(mesh.points, np.vstack([faces, more])), 100)
+    check_packing(packing, mesh, rng)
+    assert packing.field_data["surface_volume"][0] == pytest.approx(mesh.volume, rel=1e-4)
+
+
+def test_points_that_are_nearly_the_same(rng):
+    mesh = ball()
+    corners = triangles_of(mesh).reshape(-1, 3)
+    points = corners + rng.uniform(-1e-8, 1e-8, corners.shape)
+    packing = pack(surface_of(points, np.arange(len(points)).reshape(-1, 3)), 100)
+    check_packing(packing, mesh, rng)
+    # Ten times as far apart as what is the same.
+    points = corners + rng.uniform(-2e-6, 2e-6, corners.shape)
+    apart = surface_of(points, np.arange(len(points)).reshape(-1, 3))
+    assert "open edges" in message_of(packer_of(apart))
+
+
+def test_stacked_cubes_turned_at_random(rng):
+    side = range(4)
+    cubes = [
+        pv.Cube(center=(x, y, z)).triangulate().clean() for x in side for y in side for z in side
+    ]
+    mesh = together(*cubes)
+    faces = mesh.faces.reshape(-1, 4)[:, 1:].copy()
+    chosen = rng.random(len(faces)) < 0.5
+    faces[chosen] = faces[chosen][:, ::-1]
+    packing = pack(surface_of(mesh.points, faces), 64)
+    assert packing.field_data["surface_volume"][0] == pytest.approx(64.0)
+    np.testing.assert_allclose(packing["radius"], 0.5, rtol=1e-3)
+
+
 @pytest.mark.parametrize("thickness", [0.1, 0.01])
 def test_a_thin_shell(rng, thickness):
     mesh = together(ball(1.0), ball(1.0 - thickness))
@@ -208,11 +243,12 @@ def test_a_thin_shell(rng, thickness):
     assert packing["radius"][-1] > 0.3 * thickness
 
 
-def test_a_thin_plate(rng):
-    mesh = pv.Cube(x_length=1.0, y_length=1.0, z_length=2e-3).triangulate().clean()
+@pytest.mark.parametrize("thickness", [2e-3, 1e-5])
+def test_a_thin_plate(rng, thickness):
+    mesh = pv.Cube(x_length=1.0, y_length=1.0, z_length=thickness).triangulate().clean()
     packing = pack(mesh, 20)
     check_packing(packing, mesh, rng)
-    np.testing.assert_allclose(packing["radius"], 1e-3, rtol=1e-3)
+    np.testing.assert_allclose(packing["radius"], 0.5 * thickness, rtol=1e-3)
 
 
 def test_unused_points_do_not_matter(rng):
@@ -348,6 +384,16 @@ def test_stopped_packings_are_kept(rng):
     assert packer.GetInterrupted()
     assert packer.GetErrorMessage() == ""
     assert 200 <= packer.GetOutput().GetNumberOfPoints() < 2000
+
+
+def test_stopped_while_the_surface_is_turned(rng):
+    mesh = together(*[ball(1.0, (3.0 * i, 0, 0)) for i in range(200)])
+    packer = packer_of(mesh)
+    packer.AddObserver("ProgressEvent", lambda caller, _: caller.SetAbortExecute(1))
+    packer.Update()
+    assert packer.GetInterrupted()
+    assert packer.GetErrorMessage() == ""
+    assert packer.GetOutput().GetNumberOfPoints() == 0
 
 
 # --- errors -----------------------------------------------------------------------------------

@@ -59,6 +59,7 @@ def test_limits():
         ({"count": 2.5}, TypeError, "count: found 2.5"),
         ({"seed": -1}, ValueError, "seed: found -1"),
         ({"min_radius": -1}, ValueError, "min_radius: found -1"),
+        ({"min_radius": 0.6}, ValueError, "min_radius: found 0.6, expected less"),
         ({"min_radius": np.nan}, ValueError, "min_radius: found nan"),
         ({"min_radius": np.inf}, ValueError, "min_radius: found inf"),
         ({"fraction": 0}, ValueError, "fraction: found 0"),
@@ -70,12 +71,6 @@ def test_bad_arguments(words, error, message):
     arguments = {"mesh": pv.Cube(), "count": 5, **words}
     with pytest.raises(error, match=message):
         spherepacking.pack(arguments.pop("mesh"), arguments.pop("count"), **arguments)
-
-
-def test_no_sphere_fits():
-    packing = spherepacking.pack(pv.Cube(), 5, min_radius=0.6)
-    assert packing.n_points == 0
-    assert packing.field_data["volume_fraction"][0] == 0
 
 
 # --- the command ------------------------------------------------------------------------------
@@ -113,6 +108,8 @@ def test_off_files(tmp_path):
         (("open.ply", "out.spheres"), "open edges"),
         (("points.ply", "out.spheres"), "found no polygons"),
         (("text.ply", "out.spheres"), "text.ply"),
+        (("text.off", "out.spheres"), "text.off: is no OFF file that can be read"),
+        (("cube.ply", "out.spheres", "--min-radius", "9"), "no sphere of that radius fits"),
     ],
 )
 def test_command_errors(cube_file, monkeypatch, capsys, words, message):
@@ -121,6 +118,7 @@ def test_command_errors(cube_file, monkeypatch, capsys, words, message):
     pv.PolyData(np.zeros((3, 3))).save("points.ply")
     cube_file.with_name("text.txt").write_text("no surface\n")
     cube_file.with_name("text.ply").write_text("no surface\n")
+    cube_file.with_name("text.off").write_text("OFF\n3 1 0\nno surface\n")
     assert main(["pack", *words]) == 2
     said = capsys.readouterr().err
     assert message in said

@@ -17,7 +17,9 @@
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkStaticPointLocator.h"
 
 #include <algorithm>
 #include <chrono>
@@ -120,6 +122,54 @@ SurfaceMesh MeshOf(vtkPolyData* surface)
   return mesh;
 }
 
+// Replaces points that are nearly the same, as in files with few digits, by one of them.
+void MergeNearPoints(SurfaceMesh& mesh)
+{
+  constexpr double near = 1e-7; // of the longest side: far less than spheres keep away
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(static_cast<vtkIdType>(mesh.Points.size()));
+  for (std::size_t i = 0; i < mesh.Points.size(); ++i)
+  {
+    points->SetPoint(
+      static_cast<vtkIdType>(i), mesh.Points[i].X, mesh.Points[i].Y, mesh.Points[i].Z);
+  }
+  vtkNew<vtkPolyData> cloud;
+  cloud->SetPoints(points);
+  vtkNew<vtkStaticPointLocator> locator;
+  locator->SetDataSet(cloud);
+  locator->BuildLocator();
+  std::vector<vtkIdType> merged(mesh.Points.size());
+  locator->MergePoints(near * spherepacking::BoxOf(mesh).LongestSide(), merged.data());
+  spherepacking::ReplacePoints(mesh, std::vector<std::int32_t>(merged.begin(), merged.end()));
+}
+
+// Real surfaces have points that are nearly the same, and triangles twice. Neither is touched where
+// the surface is closed: both may be meant.
+void Close(SurfaceMesh& mesh)
+{
+  const std::string open = spherepacking::DescribeOpenEdges(mesh);
+  for (const bool near : { false, true })
+  {
+    if (near)
+    {
+      MergeNearPoints(mesh);
+    }
+    if (!mesh.Triangles.empty() && spherepacking::DescribeOpenEdges(mesh).empty())
+    {
+      return;
+    }
+    SurfaceMesh single = mesh;
+    spherepacking::DropCopies(single);
+    if (!single.Triangles.empty() && spherepacking::DescribeOpenEdges(single).empty())
+    {
+      mesh = std::move(single);
+      return;
+    }
+  }
+  throw std::invalid_argument("surface: found " + open + ", expected a closed surface");
+}
+
 // A closed surface.
 SurfaceMesh PrepareMesh(vtkPolyData* surface)
 {
@@ -133,11 +183,7 @@ SurfaceMesh PrepareMesh(vtkPolyData* surface)
   {
     throw std::invalid_argument("surface: found no triangles, expected a closed surface");
   }
-  const std::string open = spherepacking::DescribeOpenEdges(mesh);
-  if (!open.empty())
-  {
-    throw std::invalid_argument("surface: found " + open + ", expected a closed surface");
-  }
+  Close(mesh);
   if (mesh.Triangles.size() > std::numeric_limits<std::int32_t>::max() / 3)
   {
     throw std::invalid_argument("surface: found more than 715827882 triangles, expected fewer");
@@ -200,6 +246,21 @@ int vtkSpherePacker::RequestData(
 }
 
 //------------------------------------------------------------------------------
+std::function<bool()> vtkSpherePacker::Watch()
+{
+  return [this, last = Clock::now()]() mutable
+  {
+    // Observers may take longer than what is watched.
+    if (Clock::now() - last > std::chrono::milliseconds(50))
+    {
+      this->UpdateProgress(0.0);
+      last = Clock::now();
+    }
+    return this->GetAbortExecute() == 0;
+  };
+}
+
+//------------------------------------------------------------------------------
 void vtkSpherePacker::Pack(vtkPolyData* surface, vtkPolyData* output)
 {
   const Clock::time_point start = Clock::now();
@@ -221,7 +282,12 @@ void vtkSpherePacker::Pack(vtkPolyData* surface, vtkPolyData* output)
   {
     point = (1.0 / frame.Unit) * (point - frame.Middle);
   }
-  spherepacking::OrientShells(mesh);
+  if (!spherepacking::OrientShells(mesh, this->Watch()))
+  {
+    this->Interrupted = true;
+    output->Initialize();
+    return;
+  }
   const double volume = mesh.Volume();
   const double cube = frame.Unit * frame.Unit * frame.Unit;
   if (!(volume > 1e-12))
@@ -242,6 +308,15 @@ void vtkSpherePacker::Pack(vtkPolyData* surface, vtkPolyData* output)
   };
   const std::vector<PackedSphere> spheres =
     spherepacking::PackSpheres(mesh, goal, vtkSpherePackingParallelFor(), progress);
+  if (spheres.empty() && !this->Interrupted)
+  {
+    if (this->MinimumRadius > 0.0)
+    {
+      Refuse("min_radius", this->MinimumRadius, "less: no sphere of that radius fits");
+    }
+    throw std::invalid_argument("surface: found one so thin that no sphere of a millionth of its "
+                                "size fits, expected a thicker one");
+  }
   FillOutput(spheres, frame, output);
   vtkSpherePackingAddField(output, "surface_volume", { volume * cube });
   vtkSpherePackingAddField(output, "volume_fraction", { VolumeOf(spheres) / volume });

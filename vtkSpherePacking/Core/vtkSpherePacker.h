@@ -35,6 +35,7 @@
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkSpherePackingCoreModule.h" // for the export macro
 
+#include <functional>
 #include <string>
 
 class VTKSPHEREPACKINGCORE_EXPORT vtkSpherePacker : public vtkPolyDataAlgorithm
@@ -92,6 +93,7 @@ private:
   void operator=(const vtkSpherePacker&) = delete;
 
   void Pack(vtkPolyData* surface, vtkPolyData* output);
+  std::function<bool()> Watch();
 
   int NumberOfSpheres = 1000;
   double MinimumRadius = 0.0;

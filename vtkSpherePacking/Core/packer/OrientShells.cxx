@@ -4,6 +4,7 @@
 #include "packer/TriangleTree.h"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <numeric>
 #include <stdexcept>
@@ -178,23 +179,31 @@ int Crossings(const SurfaceMesh& mesh, const Ids& triangles, std::int32_t withou
 }
 
 // Patches meet where more than two triangles do. From a triangle outwards, an even number of others
-// lies ahead; some triangles vote, since a line may meet an edge.
+// lies ahead; lines from places all over the patch vote, since one may meet an edge.
 void OrientByCrossings(SurfaceMesh& mesh, const Ids& shell, const Ids& patch)
 {
   constexpr std::size_t voters = 15;
-  const std::size_t step = std::max<std::size_t>(1, patch.size() / voters);
   int votes = 0;
-  for (std::size_t i = step / 2; i < patch.size(); i += step)
+  for (std::size_t vote = 0; vote < voters; ++vote)
   {
-    const Triangle& triangle = mesh.Triangles[patch[i]];
+    const std::int32_t at = patch[vote * patch.size() / voters];
+    const Triangle& triangle = mesh.Triangles[at];
     const Vector3 a = mesh.Corner(triangle, 0);
     const Vector3 b = mesh.Corner(triangle, 1);
     const Vector3 c = mesh.Corner(triangle, 2);
-    const Vector3 place = a + 0.31 * (b - a) + 0.36 * (c - a);
-    // Not along the axes, where corners and edges lie ahead.
+    // Numbers that spread evenly, for a place and a direction.
+    const auto spread = [vote](double step)
+    {
+      const double number = 0.5 + step * static_cast<double>(vote);
+      return number - std::floor(number);
+    };
+    const double u = 0.1 + 0.4 * spread(0.754878);
+    const double v = 0.1 + 0.4 * spread(0.569840);
     const Vector3 normal = Cross(b - a, c - a);
-    const Vector3 ahead = normal + (0.1 * Length(normal)) * Vector3{ 0.618, 0.414, 0.732 };
-    votes += Crossings(mesh, shell, patch[i], place, ahead) % 2 == 0 ? 1 : -1;
+    const Vector3 aside{ spread(0.819173) - 0.5, spread(0.671044) - 0.5, spread(0.549700) - 0.5 };
+    const int crossings = Crossings(
+      mesh, shell, at, a + u * (b - a) + v * (c - a), normal + (0.5 * Length(normal)) * aside);
+    votes += crossings % 2 == 0 ? 1 : -1;
   }
   for (std::size_t i = 0; votes < 0 && i < patch.size(); ++i)
   {
@@ -235,8 +244,8 @@ Ids ClosedPatches(const SurfaceMesh& mesh, const std::vector<Ids>& patches)
   return patchOf;
 }
 
-// Shells as lists of triangles, each turned so that its volume is above 0.
-std::vector<Ids> OrientEachShell(SurfaceMesh& mesh)
+// Shells as lists of triangles, each turned so that its volume is above 0; none if that is stopped.
+std::vector<Ids> OrientEachShell(SurfaceMesh& mesh, const std::function<bool()>& goOn)
 {
   const std::vector<Ids> patches = OrientPatches(mesh);
   Union joined(mesh.Triangles.size());
@@ -278,6 +287,10 @@ std::vector<Ids> OrientEachShell(SurfaceMesh& mesh)
   }
   for (const Ids& patch : patches)
   {
+    if (!goOn())
+    {
+      return {};
+    }
     const std::int32_t shell = shellOf[patch.front()];
     if (isUnbalanced[shell])
     {
@@ -317,9 +330,9 @@ bool LiesWithin(const SurfaceMesh& mesh, const Ids& shell, const TriangleTree& o
 }
 
 //------------------------------------------------------------------------------
-void OrientShells(SurfaceMesh& mesh)
+bool OrientShells(SurfaceMesh& mesh, const std::function<bool()>& goOn)
 {
-  const std::vector<Ids> shells = OrientEachShell(mesh);
+  const std::vector<Ids> shells = OrientEachShell(mesh, goOn);
   std::vector<MeshBox> boxes;
   for (const Ids& shell : shells)
   {
@@ -328,6 +341,10 @@ void OrientShells(SurfaceMesh& mesh)
   std::vector<int> depths(shells.size(), 0);
   for (std::size_t outer = 0; outer < shells.size(); ++outer)
   {
+    if (!goOn())
+    {
+      return false;
+    }
     std::unique_ptr<TriangleTree> tree;
     for (std::size_t inner = 0; inner < shells.size(); ++inner)
     {
@@ -349,5 +366,6 @@ void OrientShells(SurfaceMesh& mesh)
       Turn(mesh.Triangles[shells[i][at]]);
     }
   }
+  return !shells.empty();
 }
 }

@@ -4,6 +4,8 @@
 
 #include "packer/SurfaceMesh.h"
 
+#include <functional>
+
 namespace spherepacking
 {
 /// Turns the triangles of a surface without open edges outwards.
@@ -11,7 +13,10 @@ namespace spherepacking
 /// Triangles that share an edge with no third one are turned alike and make a patch. Patches that
 /// share an edge make a shell, unless they are closed by themselves. A shell is turned so that it
 /// bounds what is inside of it; one that lies within an odd number of others bounds a hole.
-void OrientShells(SurfaceMesh& mesh);
+///
+/// Asks `goOn` again and again. If that says no, the triangles are left as they are by then, and
+/// the result is false.
+bool OrientShells(SurfaceMesh& mesh, const std::function<bool()>& goOn);
 }
 
 #endif

@@ -2,6 +2,7 @@
 #include "packer/PackSpheres.h"
 
 #include "packer/Ascend.h"
+#include "packer/TouchingBall.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,7 +41,8 @@ struct Task
 {
   std::int32_t Leaf;
   bool Climbs;
-  double Enough; // radius that a sphere must have: that of the leaf's band
+  bool FromSurface; // and not from its middle, which may be outside
+  double Enough;    // radius that a sphere must have: that of the leaf's band
   PackedSphere Sphere;
   bool Splits = false;
   ClearanceTree::Eight Children;
@@ -156,8 +158,12 @@ private:
       {
         this->Most = this->TopOf(entry.Band);
       }
-      const bool forced = this->Stalled >= Patience && cell.Clearance > this->Goal.LeastRadius;
-      const bool climbs = forced || cell.Diagonal() < Small * cell.Bound;
+      // Of leaves in thin walls the middles lie outside until they are as small. Most others whose
+      // middles are outside have nothing to find, so that is tried now and then.
+      const bool forced = this->Stalled >= Patience &&
+        (cell.Clearance > this->Goal.LeastRadius || this->Stalled % Patience == 0);
+      const bool small = cell.Diagonal() < Small * cell.Bound;
+      const bool climbs = forced || small;
       if (climbs &&
         std::any_of(climbers.begin(), climbers.end(),
           [&](const Vector3& other) { return Length(other - cell.Middle) < this->Most; }))
@@ -176,6 +182,7 @@ private:
       this->Tasks.emplace_back();
       this->Tasks.back().Leaf = entry.Leaf;
       this->Tasks.back().Climbs = climbs;
+      this->Tasks.back().FromSurface = !small && !(cell.Clearance > this->Goal.LeastRadius);
       // Of a leaf that is as good as a point, nothing larger can come.
       this->Tasks.back().Enough = std::min(this->TopOf(entry.Band - 1), 0.999 * cell.Bound);
       if (forced)
@@ -194,7 +201,9 @@ private:
     const ClearanceTree::Cell& cell = this->Tree[task.Leaf];
     if (task.Climbs)
     {
-      task.Sphere = Ascend(this->Tree, cell.Middle, cell.Diagonal(), task.Enough);
+      const Vector3 start =
+        task.FromSurface ? TouchingBall(this->Surface, cell.Middle, cell.Diagonal()) : cell.Middle;
+      task.Sphere = Ascend(this->Tree, start, cell.Diagonal(), task.Enough);
       task.Sphere.Radius *= Shrink;
       if (task.Sphere.Radius > std::max(task.Enough, this->Goal.LeastRadius))
       {

@@ -15,9 +15,8 @@ void Write(std::ostream& os, const Vector3& point)
   os << "(" << point.X << ", " << point.Y << ", " << point.Z << ")";
 }
 
-// One of each triangle, if all have an even number of copies, as where both sides are drawn. Single
-// pairs are walls within a solid.
-void DropCopies(std::vector<Triangle>& triangles)
+// Sets `kept` to the first of each triangle's copies. Returns whether all have an even number.
+bool FirstCopies(const std::vector<Triangle>& triangles, std::vector<std::int32_t>& kept)
 {
   const auto key = [](Triangle triangle)
   {
@@ -33,7 +32,7 @@ void DropCopies(std::vector<Triangle>& triangles)
       const Triangle other = key(triangles[b]);
       return one != other ? one < other : a < b;
     });
-  std::vector<std::int32_t> kept;
+  bool even = true;
   for (std::size_t first = 0; first < order.size();)
   {
     std::size_t last = first;
@@ -41,14 +40,16 @@ void DropCopies(std::vector<Triangle>& triangles)
     {
       ++last;
     }
-    if ((last - first) % 2 != 0)
-    {
-      return;
-    }
+    even = even && (last - first) % 2 == 0;
     kept.push_back(order[first]);
     first = last;
   }
   std::sort(kept.begin(), kept.end());
+  return even;
+}
+
+void Keep(const std::vector<std::int32_t>& kept, std::vector<Triangle>& triangles)
+{
   std::vector<Triangle> single;
   for (const std::int32_t i : kept)
   {
@@ -153,6 +154,12 @@ void MergePoints(SurfaceMesh& mesh)
   {
     first[order[i]] = i > 0 && key(order[i - 1]) == key(order[i]) ? first[order[i - 1]] : order[i];
   }
+  ReplacePoints(mesh, first);
+}
+
+//------------------------------------------------------------------------------
+void ReplacePoints(SurfaceMesh& mesh, const std::vector<std::int32_t>& first)
+{
   std::vector<Triangle> triangles;
   triangles.reserve(mesh.Triangles.size());
   for (const Triangle& triangle : mesh.Triangles)
@@ -164,7 +171,20 @@ void MergePoints(SurfaceMesh& mesh)
     }
   }
   mesh.Triangles = std::move(triangles);
-  DropCopies(mesh.Triangles);
+  // Where both sides of all are drawn. Single pairs are walls within a solid.
+  std::vector<std::int32_t> kept;
+  if (FirstCopies(mesh.Triangles, kept))
+  {
+    Keep(kept, mesh.Triangles);
+  }
+}
+
+//------------------------------------------------------------------------------
+void DropCopies(SurfaceMesh& mesh)
+{
+  std::vector<std::int32_t> kept;
+  FirstCopies(mesh.Triangles, kept);
+  Keep(kept, mesh.Triangles);
 }
 
 //------------------------------------------------------------------------------

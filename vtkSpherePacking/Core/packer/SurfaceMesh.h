@@ -74,6 +74,12 @@ inline void ForEachEdgeGroup(const std::vector<MeshEdge>& edges, Visit visit)
 /// there are several copies of all triangles, one of each is left.
 void MergePoints(SurfaceMesh& mesh);
 
+/// The same with other points, by their indices, in place of those there are.
+void ReplacePoints(SurfaceMesh& mesh, const std::vector<std::int32_t>& others);
+
+/// Leaves one of each triangle.
+void DropCopies(SurfaceMesh& mesh);
+
 /// Where the surface is open, in words, or nothing if each edge has an even number of triangles.
 std::string DescribeOpenEdges(const SurfaceMesh& mesh);
 }

@@ -243,6 +243,15 @@ TriangleTree::Nearest TriangleTree::ClosestOn(
 }
 
 //------------------------------------------------------------------------------
+Vector3 TriangleTree::NormalOf(std::int32_t triangle) const
+{
+  const Vector3(&corners)[3] = this->Triangles[triangle].Of;
+  const Vector3 area = Cross(corners[1] - corners[0], corners[2] - corners[0]);
+  const double length = Length(area);
+  return length > 0.0 ? (1.0 / length) * area : Vector3{ 0.0, 0.0, 1.0 };
+}
+
+//------------------------------------------------------------------------------
 double TriangleTree::WindingNumber(const Vector3& place) const
 {
   std::int32_t open[2 * MostDepth];

@@ -25,6 +25,9 @@ public:
   /// The nearest point of one triangle, and whether the place is on the triangle's inner side.
   Nearest ClosestOn(std::int32_t triangle, const Vector3& place, bool& inside) const;
 
+  /// Of length 1, outwards if the triangle is turned outwards.
+  Vector3 NormalOf(std::int32_t triangle) const;
+
   /// How often the surface goes around a place: 1 inside and 0 outside of one that is closed and
   /// turned outwards. Near to open edges, or to triangles that are turned the wrong way, it is in
   /// between.
