@@ -196,14 +196,15 @@ def test_fields_through_meshes_are_within_the_bound(scene, kernel, rng):
         ({"dimensions": (40, 40, 7)}, "a thin grid"),
         ({"dimensions": (60, 40, 28)}, "steps that differ by more than two"),
         ({"radius": 2000.0}, "a sphere whose constant core is larger than a mesh's step"),
+        ({"size": 1e-7, "bounds": (1 - 1e-7, 1 + 1e-7) * 3}, "spheres far beside the grid"),
     ],
 )
 def test_other_fields_go_through_the_tree(change, why, rng):
-    packing = box(rng, change.get("count", 12_000))
+    packing = box(rng, change.get("count", 12_000), change.get("size", 1.0))
     packing["radius"][0] = change.get("radius", 0.01)
     dimensions = change.get("dimensions", (40, 40, 40))
     error = change.get("error", 1e-3)
-    bounds = (-1, 1) * 3
+    bounds = change.get("bounds", (-1, 1) * 3)
     found = field_of(packing, "inverse_square", dimensions, error, bounds)["field"]
     algorithm = filter_of(packing, "inverse_square", dimensions, error, bounds)
     algorithm.ComputeGradientOn()

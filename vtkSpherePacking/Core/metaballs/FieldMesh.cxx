@@ -381,12 +381,23 @@ bool IsForMesh(const std::vector<Charge>& charges, const FieldGrid& grid, int po
   int window[3];
   SetWindow(grid.Spacing, window);
   double nodes = 1.0;
+  double places = 1.0;
   for (int axis = 0; axis < 3; ++axis)
   {
+    // Meshes that have to reach far beyond the grid are no better than a tree.
+    const double length = static_cast<double>(grid.Dimensions[axis]) * grid.Spacing[axis];
+    if (box.High[axis] < grid.Origin[axis] - 2.0 * length ||
+      box.Low[axis] > grid.Origin[axis] + 3.0 * length)
+    {
+      return false;
+    }
     nodes *= (box.High[axis] - box.Low[axis]) / grid.Spacing[axis] + window[axis] + 1;
+    places *= static_cast<double>(grid.Dimensions[axis]);
   }
-  constexpr double nodesOfCharge = 14.0; // with all meshes and the charges, 150 bytes a sphere
-  return nodes <= nodesOfCharge * static_cast<double>(charges.size());
+  // Coarser meshes have a fifth of the finest's nodes for charges, and more than that of the grid's
+  // places for their fields. With the charges, that makes 150 bytes a sphere.
+  constexpr double valuesOfCharge = 22.0;
+  return 1.2 * nodes + places / 4.5 <= valuesOfCharge * static_cast<double>(charges.size());
 }
 
 //------------------------------------------------------------------------------
