@@ -13,8 +13,11 @@
  *
  * Surfaces may have points that coincide, triangles that are turned either way, edges that more
  * than two triangles share, and several shells; one that lies within another is a hole. What shells
- * that overlap share counts several times in the volume. An edge of an odd number of triangles is
- * an error that says where it is. What is inside is decided by the generalised winding number.
+ * that overlap share counts several times in the volume. Where edges have an odd number of
+ * triangles, points that are within 1e-7 of the surface's longest side are taken for one, and of
+ * several triangles between the same points one is left; what is open then is an error that says
+ * where. What is inside is decided by the generalised winding number. No sphere of `MinimumRadius`
+ * at all is an error, too.
  *
  * The output has double precision, a vertex for each sphere, the point array `radius`, and field
  * arrays of one value: `surface_volume`, in the cube of the input's unit, `volume_fraction`, the
