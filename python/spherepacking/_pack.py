@@ -49,7 +49,8 @@ def pack(
     -------
     pyvista.PolyData
         Centres (n, 3), float64, and point array ``radius`` (n,), float64, both in the unit of the
-        surface. ``field_data`` has ``volume_fraction`` and ``surface_volume``.
+        surface. ``field_data`` has ``volume_fraction`` and ``surface_volume``; the fraction is NaN
+        if the surface crosses itself so much that it would be above 1.
 
     Raises
     ------

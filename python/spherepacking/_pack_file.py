@@ -58,7 +58,7 @@ def read_surface(path: Path) -> pv.PolyData:
             with pv.vtk_verbosity("off"), warnings.catch_warnings():
                 warnings.simplefilter("ignore")
                 mesh = pv.read(path)
-        except (OSError, TypeError, ImportError) as error:
+        except Exception as error:  # readers raise all kinds
             raise ValueError(f"{path}: is no surface that can be read: {error}") from None
         finally:
             logging.disable(logging.NOTSET)
@@ -122,7 +122,8 @@ def pack_file(
         )
     write(packing, target)
     filled = float(packing.field_data["volume_fraction"][0])
-    print(f"{packing.n_points} spheres fill {filled:.1%} of the volume")
+    part = "an unknown part" if np.isnan(filled) else f"{filled:.1%}"
+    print(f"{packing.n_points} spheres fill {part} of the volume")
     for warning in caught:
         print(warning.message, file=sys.stderr)
     return not caught

@@ -207,6 +207,60 @@ def test_some_triangles_twice(rng):
     assert packing.field_data["surface_volume"][0] == pytest.approx(mesh.volume, rel=1e-4)
 
 
+def test_a_triangle_three_times(rng):
+    mesh = ball(subdivisions=2)
+    faces = mesh.faces.reshape(-1, 4)[:, 1:]
+    more = faces[rng.random(len(faces)) < 0.3]
+    packing = pack(surface_of(mesh.points, np.vstack([faces, more, more[:, ::-1]])), 100)
+    check_packing(packing, mesh, rng)
+    assert packing.field_data["surface_volume"][0] == pytest.approx(mesh.volume, rel=1e-4)
+
+
+def test_a_triangle_twice_beside_a_wall():
+    faces_of_cubes = together(pv.Cube(), pv.Cube(center=(1, 0, 0)))
+    faces = faces_of_cubes.faces.reshape(-1, 4)[:, 1:]
+    packing = pack(surface_of(faces_of_cubes.points, np.vstack([faces, faces[:1]])), 20)
+    assert packing.field_data["surface_volume"][0] == pytest.approx(2.0)
+
+
+def test_many_shells_that_overlap(rng):
+    centers = rng.normal(size=(100, 3)) * 0.3
+    mesh = together(*[ball(1.0, center, 2) for center in centers])
+    packing = pack(mesh, 10)
+    away = np.linalg.norm(packing.points[:, None] - centers, axis=2).min(axis=1)
+    assert (away < 1.0).all()
+
+
+def test_a_shell_that_pokes_out_is_no_hole():
+    middle = np.full(3, 0.85 / np.sqrt(3.0))
+    mesh = together(ball(1.0), ball(0.2, middle))
+    packing = pack(mesh, 500)
+    inside = np.linalg.norm(packing.points - middle, axis=1) < 0.2
+    assert inside.any()
+    volumes = 4 / 3 * np.pi * np.array([1.0, 0.2**3])
+    assert packing.field_data["surface_volume"][0] == pytest.approx(volumes.sum(), rel=0.02)
+
+
+def test_voxels_turned_at_random(rng):
+    # Faces of one voxel belong to several patches, where four of them share an edge with others.
+    voxels = pv.ImageData(dimensions=(9, 9, 9))
+    voxels.cell_data["solid"] = np.random.default_rng(12).random(voxels.n_cells)
+    solid = voxels.threshold(0.5, scalars="solid")
+    faces = solid.extract_surface(algorithm=None).triangulate()
+    corners = faces.faces.reshape(-1, 4)[:, 1:].copy()
+    chosen = rng.random(len(corners)) < 0.5
+    corners[chosen] = corners[chosen][:, ::-1]
+    packing = pack(surface_of(faces.points, corners), 300)
+    assert packing.field_data["surface_volume"][0] == pytest.approx(solid.n_cells)
+
+
+def test_a_surface_that_crosses_itself():
+    dome = pv.ParametricBohemianDome().triangulate().clean()
+    packing = pack(dome, 50)
+    assert packing.n_points == 50
+    assert np.isnan(packing.field_data["volume_fraction"][0])
+
+
 def test_points_that_are_nearly_the_same(rng):
     mesh = ball()
     corners = triangles_of(mesh).reshape(-1, 3)
@@ -241,6 +295,12 @@ def test_a_thin_shell(rng, thickness):
     check_packing(packing, mesh, rng, inside=lambda x: np.linalg.norm(x, axis=1) > 0.9 - thickness)
     assert (lengths > 1 - thickness - 0.02).all()
     assert packing["radius"][-1] > 0.3 * thickness
+
+
+def test_a_hole_that_shares_two_walls():
+    mesh = together(pv.Cube(), pv.Box((-0.5, 0, -0.5, 0, -0.3, 0.2)))
+    packing = pack(mesh, 50)
+    assert packing.field_data["surface_volume"][0] == pytest.approx(0.875)
 
 
 @pytest.mark.parametrize("thickness", [2e-3, 1e-5])

@@ -109,6 +109,7 @@ def test_off_files(tmp_path):
         (("points.ply", "out.spheres"), "found no polygons"),
         (("text.ply", "out.spheres"), "text.ply"),
         (("text.off", "out.spheres"), "text.off: is no OFF file that can be read"),
+        (("text.vtk", "out.spheres"), "text.vtk: is no surface that can be read"),
         (("cube.ply", "out.spheres", "--min-radius", "9"), "no sphere of that radius fits"),
     ],
 )
@@ -118,6 +119,7 @@ def test_command_errors(cube_file, monkeypatch, capsys, words, message):
     pv.PolyData(np.zeros((3, 3))).save("points.ply")
     cube_file.with_name("text.txt").write_text("no surface\n")
     cube_file.with_name("text.ply").write_text("no surface\n")
+    cube_file.with_name("text.vtk").write_text("no surface\n")
     cube_file.with_name("text.off").write_text("OFF\n3 1 0\nno surface\n")
     assert main(["pack", *words]) == 2
     said = capsys.readouterr().err

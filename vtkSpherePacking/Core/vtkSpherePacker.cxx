@@ -297,7 +297,9 @@ void vtkSpherePacker::Pack(vtkPolyData* surface, vtkPolyData* output)
   spherepacking::PackingGoal goal;
   goal.Count = this->NumberOfSpheres;
   goal.LeastRadius = std::max(this->MinimumRadius / frame.Unit, 1e-6);
-  goal.Volume = this->VolumeFraction * volume;
+  // Of surfaces that cross themselves the volume is no measure of what is inside.
+  goal.Volume = this->VolumeFraction < 1.0 ? this->VolumeFraction * volume
+                                           : std::numeric_limits<double>::infinity();
   goal.Seed = static_cast<std::uint64_t>(static_cast<std::uint32_t>(this->Seed));
   const auto progress = [&](std::int64_t count, double filled)
   {
@@ -319,7 +321,9 @@ void vtkSpherePacker::Pack(vtkPolyData* surface, vtkPolyData* output)
   }
   FillOutput(spheres, frame, output);
   vtkSpherePackingAddField(output, "surface_volume", { volume * cube });
-  vtkSpherePackingAddField(output, "volume_fraction", { VolumeOf(spheres) / volume });
+  const double filled = VolumeOf(spheres) / volume;
+  vtkSpherePackingAddField(output, "volume_fraction",
+    { filled > 1.0 ? std::numeric_limits<double>::quiet_NaN() : filled });
   vtkSpherePackingAddField(
     output, "build_seconds", { std::chrono::duration<double>(Clock::now() - start).count() });
 }

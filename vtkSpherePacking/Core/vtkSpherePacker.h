@@ -21,7 +21,8 @@
  *
  * The output has double precision, a vertex for each sphere, the point array `radius`, and field
  * arrays of one value: `surface_volume`, in the cube of the input's unit, `volume_fraction`, the
- * volume of all spheres over that, and `build_seconds`. The result depends on the seed, not on the
+ * volume of all spheres over that, not a number where the surface crosses itself so much that it
+ * would be above 1, and `build_seconds`. The result depends on the seed, not on the
  * number of threads.
  *
  * ProgressEvent is invoked all the time; an observer may call SetAbortExecute(), then the spheres

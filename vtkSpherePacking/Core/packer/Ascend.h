@@ -7,7 +7,7 @@
 namespace spherepacking
 {
 /// The sphere that is found from a place by going where the clearance grows, until steps as small
-/// as a millionth of it do not help.
+/// as a ten millionth of it do not help.
 ///
 /// The clearance is the least of many distances. Those within a step of the least have gradients,
 /// of which the shortest vector in their convex hull is the way of steepest ascent; where it

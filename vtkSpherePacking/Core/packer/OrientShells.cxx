@@ -143,14 +143,28 @@ std::vector<Ids> OrientPatches(SurfaceMesh& mesh)
   return patches;
 }
 
-bool IsBalanced(const MeshEdge* first, const MeshEdge* last)
+// Calls visit(edge) for the edges where the triangles of a group, by their numbers in `groups`, do
+// not go as often one way as the other.
+template <typename Visit>
+void ForEachUnbalanced(const std::vector<MeshEdge>& edges, const Ids& groups, Visit visit)
 {
-  std::int64_t sum = 0;
-  for (const MeshEdge* edge = first; edge != last; ++edge)
-  {
-    sum += edge->Forward ? 1 : -1;
-  }
-  return sum == 0;
+  ForEachEdgeGroup(edges,
+    [&](const MeshEdge* first, const MeshEdge* last)
+    {
+      for (const MeshEdge* edge = first; edge != last; ++edge)
+      {
+        std::int64_t sum = 0;
+        for (const MeshEdge* other = first; other != last; ++other)
+        {
+          const bool same = groups[other->Triangle] == groups[edge->Triangle];
+          sum += same ? (other->Forward ? 1 : -1) : 0;
+        }
+        if (sum != 0)
+        {
+          visit(*edge);
+        }
+      }
+    });
 }
 
 // How many triangles a line from a place meets.
@@ -223,20 +237,8 @@ Ids ClosedPatches(const SurfaceMesh& mesh, const std::vector<Ids>& patches)
     }
   }
   std::vector<bool> closed(patches.size(), true);
-  ForEachEdgeGroup(EdgesOf(mesh),
-    [&](const MeshEdge* first, const MeshEdge* last)
-    {
-      for (const MeshEdge* edge = first; edge != last; ++edge)
-      {
-        std::int64_t sum = 0;
-        for (const MeshEdge* other = first; other != last; ++other)
-        {
-          const bool same = patchOf[other->Triangle] == patchOf[edge->Triangle];
-          sum += same ? (other->Forward ? 1 : -1) : 0;
-        }
-        closed[patchOf[edge->Triangle]] = closed[patchOf[edge->Triangle]] && sum == 0;
-      }
-    });
+  ForEachUnbalanced(
+    EdgesOf(mesh), patchOf, [&](const MeshEdge& edge) { closed[patchOf[edge.Triangle]] = false; });
   for (std::int32_t& patch : patchOf)
   {
     patch = closed[patch] ? patch : -1;
@@ -247,11 +249,15 @@ Ids ClosedPatches(const SurfaceMesh& mesh, const std::vector<Ids>& patches)
 // Shells as lists of triangles, each turned so that its volume is above 0; none if that is stopped.
 std::vector<Ids> OrientEachShell(SurfaceMesh& mesh, const std::function<bool()>& goOn)
 {
+  // Patches that are turned the wrong way may fit each other, so nothing can be told from them
+  // later.
+  Ids turned;
+  ForEachUnbalanced(EdgesOf(mesh), Ids(mesh.Triangles.size(), 0),
+    [&](const MeshEdge& edge) { turned.push_back(edge.Triangle); });
   const std::vector<Ids> patches = OrientPatches(mesh);
   Union joined(mesh.Triangles.size());
   const std::vector<MeshEdge> edges = EdgesOf(mesh);
   const Ids closed = ClosedPatches(mesh, patches);
-  Ids unbalanced;
   ForEachEdgeGroup(edges,
     [&](const MeshEdge* first, const MeshEdge* last)
     {
@@ -266,10 +272,6 @@ std::vector<Ids> OrientEachShell(SurfaceMesh& mesh, const std::function<bool()>&
           }
         }
       }
-      if (!IsBalanced(first, last))
-      {
-        unbalanced.push_back(first->Triangle);
-      }
     });
   const std::vector<Ids> shells = joined.Sets();
   Ids shellOf(mesh.Triangles.size());
@@ -281,10 +283,12 @@ std::vector<Ids> OrientEachShell(SurfaceMesh& mesh, const std::function<bool()>&
     }
   }
   std::vector<bool> isUnbalanced(shells.size(), false);
-  for (const std::int32_t at : unbalanced)
+  for (const std::int32_t at : turned)
   {
     isUnbalanced[shellOf[at]] = true;
   }
+  ForEachUnbalanced(
+    edges, shellOf, [&](const MeshEdge& edge) { isUnbalanced[shellOf[edge.Triangle]] = true; });
   for (const Ids& patch : patches)
   {
     if (!goOn())
@@ -292,7 +296,7 @@ std::vector<Ids> OrientEachShell(SurfaceMesh& mesh, const std::function<bool()>&
       return {};
     }
     const std::int32_t shell = shellOf[patch.front()];
-    if (isUnbalanced[shell])
+    if (isUnbalanced[shell] && patch.size() < shells[shell].size())
     {
       OrientByCrossings(mesh, shells[shell], patch);
     }
@@ -310,22 +314,36 @@ std::vector<Ids> OrientEachShell(SurfaceMesh& mesh, const std::function<bool()>&
   return shells;
 }
 
-// Whether nearly all of it does: both may share a wall.
+// Whether all of it does that is not a wall of both.
 bool LiesWithin(const SurfaceMesh& mesh, const Ids& shell, const TriangleTree& other)
 {
-  constexpr std::size_t samples = 32;
+  constexpr std::size_t samples = 1000;
+  constexpr double wall = 1e-6; // a surface is about 1 long
   const std::size_t step = std::max<std::size_t>(1, shell.size() / samples);
-  int inside = 0;
-  int count = 0;
+  bool any = false;
   for (std::size_t i = 0; i < shell.size(); i += step)
   {
     const Triangle& triangle = mesh.Triangles[shell[i]];
     const Vector3 middle = (1.0 / 3.0) *
       (mesh.Corner(triangle, 0) + mesh.Corner(triangle, 1) + mesh.Corner(triangle, 2));
-    inside += other.WindingNumber(middle) > 0.5 ? 1 : 0;
-    ++count;
+    // Not far from the corners, which show earlier what pokes out.
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      const Vector3 place = middle + 0.9 * (mesh.Corner(triangle, corner) - middle);
+      double distance = wall;
+      TriangleTree::Nearest nearest;
+      if (other.Closest(place, distance, nearest))
+      {
+        continue;
+      }
+      if (!(other.WindingNumber(place) > 0.5))
+      {
+        return false;
+      }
+      any = true;
+    }
   }
-  return inside > 0.8 * count;
+  return any;
 }
 }
 

@@ -15,8 +15,9 @@ void Write(std::ostream& os, const Vector3& point)
   os << "(" << point.X << ", " << point.Y << ", " << point.Z << ")";
 }
 
-// Sets `kept` to the first of each triangle's copies. Returns whether all have an even number.
-bool FirstCopies(const std::vector<Triangle>& triangles, std::vector<std::int32_t>& kept)
+// Calls visit(first, last) for the indices, in rising order, of triangles with the same points.
+template <typename Visit>
+void ForEachCopies(const std::vector<Triangle>& triangles, Visit visit)
 {
   const auto key = [](Triangle triangle)
   {
@@ -32,7 +33,6 @@ bool FirstCopies(const std::vector<Triangle>& triangles, std::vector<std::int32_
       const Triangle other = key(triangles[b]);
       return one != other ? one < other : a < b;
     });
-  bool even = true;
   for (std::size_t first = 0; first < order.size();)
   {
     std::size_t last = first;
@@ -40,22 +40,42 @@ bool FirstCopies(const std::vector<Triangle>& triangles, std::vector<std::int32_
     {
       ++last;
     }
-    even = even && (last - first) % 2 == 0;
-    kept.push_back(order[first]);
+    visit(order.data() + first, order.data() + last);
     first = last;
   }
-  std::sort(kept.begin(), kept.end());
-  return even;
 }
 
-void Keep(const std::vector<std::int32_t>& kept, std::vector<Triangle>& triangles)
+void Drop(const std::vector<bool>& dropped, std::vector<Triangle>& triangles)
 {
-  std::vector<Triangle> single;
-  for (const std::int32_t i : kept)
+  std::vector<Triangle> kept;
+  for (std::size_t i = 0; i < triangles.size(); ++i)
   {
-    single.push_back(triangles[i]);
+    if (!dropped[i])
+    {
+      kept.push_back(triangles[i]);
+    }
   }
-  triangles = std::move(single);
+  triangles = std::move(kept);
+}
+
+// Leaves one of an odd number of copies, and two of an even one, which may be a wall within a
+// solid; but one where all have an even number, as where both sides of all are drawn.
+void ReduceCopies(std::vector<Triangle>& triangles)
+{
+  bool even = true;
+  ForEachCopies(triangles, [&](const std::int32_t* first, const std::int32_t* last)
+    { even = even && (last - first) % 2 == 0; });
+  std::vector<bool> dropped(triangles.size(), false);
+  ForEachCopies(triangles,
+    [&](const std::int32_t* first, const std::int32_t* last)
+    {
+      const std::ptrdiff_t most = (last - first) % 2 == 0 && !even ? 2 : 1;
+      for (const std::int32_t* at = first + most; at < last; ++at)
+      {
+        dropped[*at] = true;
+      }
+    });
+  Drop(dropped, triangles);
 }
 }
 
@@ -171,20 +191,48 @@ void ReplacePoints(SurfaceMesh& mesh, const std::vector<std::int32_t>& first)
     }
   }
   mesh.Triangles = std::move(triangles);
-  // Where both sides of all are drawn. Single pairs are walls within a solid.
-  std::vector<std::int32_t> kept;
-  if (FirstCopies(mesh.Triangles, kept))
-  {
-    Keep(kept, mesh.Triangles);
-  }
+  ReduceCopies(mesh.Triangles);
 }
 
 //------------------------------------------------------------------------------
 void DropCopies(SurfaceMesh& mesh)
 {
-  std::vector<std::int32_t> kept;
-  FirstCopies(mesh.Triangles, kept);
-  Keep(kept, mesh.Triangles);
+  std::vector<std::int32_t> second(mesh.Triangles.size(), -1); // of both, the second
+  ForEachCopies(mesh.Triangles,
+    [&](const std::int32_t* first, const std::int32_t* last)
+    {
+      for (const std::int32_t* at = first; last - first == 2 && at < last; ++at)
+      {
+        second[*at] = first[1];
+      }
+    });
+  // From odd edges on, to those with which they share an edge.
+  const std::vector<MeshEdge> edges = EdgesOf(mesh);
+  std::vector<bool> dropped(mesh.Triangles.size(), false);
+  for (bool more = true; more;)
+  {
+    more = false;
+    ForEachEdgeGroup(edges,
+      [&](const MeshEdge* first, const MeshEdge* last)
+      {
+        bool drops = (last - first) % 2 != 0;
+        for (const MeshEdge* edge = first; edge != last; ++edge)
+        {
+          const std::int32_t copy = second[edge->Triangle];
+          drops = drops || (copy >= 0 && dropped[copy]);
+        }
+        for (const MeshEdge* edge = first; drops && edge != last; ++edge)
+        {
+          const std::int32_t copy = second[edge->Triangle];
+          if (copy >= 0 && !dropped[copy])
+          {
+            dropped[copy] = true;
+            more = true;
+          }
+        }
+      });
+  }
+  Drop(dropped, mesh.Triangles);
 }
 
 //------------------------------------------------------------------------------

@@ -70,14 +70,16 @@ inline void ForEachEdgeGroup(const std::vector<MeshEdge>& edges, Visit visit)
   }
 }
 
-/// Makes points at the same place one point, and drops triangles that have become lines. Where
-/// there are several copies of all triangles, one of each is left.
+/// Makes points at the same place one point, and drops triangles that have become lines. Of an odd
+/// number of copies of a triangle one is left, of an even number two, which may be a wall; but one
+/// where all have an even number.
 void MergePoints(SurfaceMesh& mesh);
 
 /// The same with other points, by their indices, in place of those there are.
 void ReplacePoints(SurfaceMesh& mesh, const std::vector<std::int32_t>& others);
 
-/// Leaves one of each triangle.
+/// Leaves one of two copies where an edge has an odd number of triangles, and of copies beside
+/// these.
 void DropCopies(SurfaceMesh& mesh);
 
 /// Where the surface is open, in words, or nothing if each edge has an even number of triangles.

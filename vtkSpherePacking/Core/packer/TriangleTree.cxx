@@ -12,6 +12,9 @@ constexpr std::int32_t Leaf = 4;
 constexpr double Pi = 3.14159265358979323846;
 // Distance over size from which a group of triangles counts as a dipole.
 constexpr double Far = 1.5;
+// What the dipoles of a surface that is seen once are wrong by then.
+constexpr double FarError = 0.15;
+constexpr double Farthest = 1e4;
 constexpr int MostDepth = 64; // nodes are halved by their number
 }
 
@@ -254,6 +257,21 @@ Vector3 TriangleTree::NormalOf(std::int32_t triangle) const
 //------------------------------------------------------------------------------
 double TriangleTree::WindingNumber(const Vector3& place) const
 {
+  for (double far = Far;; far *= 2.0)
+  {
+    double dipoles = 0.0;
+    const double sum = this->SumAngles(place, far, dipoles);
+    const double error = FarError * std::max(1.0, dipoles) * (Far / far) * (Far / far);
+    if (dipoles == 0.0 || std::abs(sum - 0.5) > error || far > Farthest)
+    {
+      return sum;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+double TriangleTree::SumAngles(const Vector3& place, double far, double& dipoles) const
+{
   std::int32_t open[2 * MostDepth];
   int count = 0;
   double sum = 0.0;
@@ -267,9 +285,11 @@ double TriangleTree::WindingNumber(const Vector3& place) const
     const Node& node = this->Nodes[at];
     const Vector3 away = node.Middle - place;
     const double distance = Length(away);
-    if (distance > Far * node.Radius)
+    if (distance > far * node.Radius)
     {
-      sum += Dot(away, node.Area) / (4.0 * Pi * distance * distance * distance);
+      const double angle = Dot(away, node.Area) / (4.0 * Pi * distance * distance * distance);
+      sum += angle;
+      dipoles += std::abs(angle);
     }
     else if (node.Child < 0)
     {

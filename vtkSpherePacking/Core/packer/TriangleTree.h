@@ -32,8 +32,9 @@ public:
   /// turned outwards. Near to open edges, or to triangles that are turned the wrong way, it is in
   /// between.
   ///
-  /// Groups of triangles that are far away, compared with their size, count as one dipole, so it is
-  /// right to about 0.15, which tells inside from outside.
+  /// Groups of triangles that are far away, compared with their size, count as one dipole, from
+  /// farther away as long as that leaves in doubt whether it is above 0.5. So it is right to about
+  /// 0.15 for each time that the surface is seen, and no more than that.
   /// Sources: Jacobson, Kavan and Sorkine-Hornung, "Robust inside-outside segmentation using
   /// generalized winding numbers" (2013); Barill, Dickson, Schmidt, Levin and Jacobson, "Fast
   /// winding numbers for soups and clouds" (2018).
@@ -56,6 +57,7 @@ private:
     Vector3 Of[3];
   };
 
+  double SumAngles(const Vector3& place, double far, double& dipoles) const;
   std::int32_t Build(std::int32_t first, std::int32_t count);
   void Measure(Node& node) const;
   static double SquareToBox(const Node& node, const Vector3& place);
