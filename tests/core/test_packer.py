@@ -68,9 +68,9 @@ def test_random_surfaces(rng, roughness):
 
 def test_bunny(data_file, rng):
     mesh = pv.read(data_file("imb_bunny.obj"))
-    packing = pack(mesh, 500)
-    check_packing(packing, mesh, rng)
-    assert packing.field_data["volume_fraction"][0] > 0.7
+    packing = pack(mesh, 300)
+    check_packing(packing, mesh, rng, samples=60)
+    assert packing.field_data["volume_fraction"][0] > 0.65
 
 
 def test_pig(data_file, rng):
@@ -84,7 +84,7 @@ def test_dragon_with_edges_that_many_triangles_share(data_file, rng):
     mesh = pv.read(data_file("stanford_dragon_vrip_res3.ply"))
     packing = pack(mesh, 300)
     # As scanned it is turned outwards everywhere.
-    check_packing(packing, mesh, rng, samples=80)
+    check_packing(packing, mesh, rng, samples=40)
     assert packing.field_data["volume_fraction"][0] > 0.55
 
 
@@ -447,7 +447,7 @@ def test_stopped_packings_are_kept(rng):
 
 
 def test_stopped_while_the_surface_is_turned(rng):
-    mesh = together(*[ball(1.0, (3.0 * i, 0, 0)) for i in range(200)])
+    mesh = together(*[ball(1.0, (3.0 * i, 0, 0)) for i in range(100)])
     packer = packer_of(mesh)
     packer.AddObserver("ProgressEvent", lambda caller, _: caller.SetAbortExecute(1))
     packer.Update()
