@@ -436,7 +436,7 @@ import sys
 import numpy as np
 from fields import KERNELS, field_of
 from spherepacking.bench.scenes import knot_tube
-packing = knot_tube(3000)
+packing = knot_tube(1500)
 fields = {
     f"{k} {e:g}": field_of(packing, k, error=e)["field"] for k in KERNELS for e in (3e-4, 1e-3)
 }
