@@ -33,6 +33,20 @@ def blob(rng, roughness=0.3, subdivisions=3):
     return surface_of(points, ball.faces.reshape(-1, 4)[:, 1:])
 
 
+def together(*meshes):
+    """Several shells as one surface, with their own points."""
+    points, faces, first = [], [], 0
+    for mesh in meshes:
+        points.append(np.asarray(mesh.points, float))
+        faces.append(mesh.triangulate().faces.reshape(-1, 4)[:, 1:] + first)
+        first += mesh.n_points
+    return surface_of(np.vstack(points), np.vstack(faces))
+
+
+def ball(radius=1.0, center=(0, 0, 0), subdivisions=3):
+    return pv.Icosphere(radius=radius, center=center, nsub=subdivisions)
+
+
 def winding_numbers(mesh, places):
     """Around places (n, 3), as the sum of all solid angles."""
     corners = triangles_of(mesh)

@@ -5,11 +5,13 @@ import pytest
 import pyvista as pv
 from spherepacking._backend import vtkSpherePacker
 from surfaces import (
+    ball,
     blob,
     check_packing,
     distances,
     read_off,
     surface_of,
+    together,
     triangles_of,
     winding_numbers,
 )
@@ -38,20 +40,6 @@ def message_of(packer):
     assert errors
     assert packer.GetOutput().GetNumberOfPoints() == 0
     return packer.GetErrorMessage()
-
-
-def together(*meshes):
-    """Several shells as one surface, with their own points."""
-    points, faces, first = [], [], 0
-    for mesh in meshes:
-        points.append(np.asarray(mesh.points, float))
-        faces.append(mesh.triangulate().faces.reshape(-1, 4)[:, 1:] + first)
-        first += mesh.n_points
-    return surface_of(np.vstack(points), np.vstack(faces))
-
-
-def ball(radius=1.0, center=(0, 0, 0), subdivisions=3):
-    return pv.Icosphere(radius=radius, center=center, nsub=subdivisions)
 
 
 # --- random and real surfaces -----------------------------------------------------------------

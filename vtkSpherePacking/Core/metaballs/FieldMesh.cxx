@@ -39,7 +39,7 @@ void Spread(FieldMesh& mesh, int y, int z)
   SpreadCells(mesh, y, z);
 }
 
-void Collect(const MeshRows& fine, MeshLevel& level, const MeshBox& box)
+void Collect(const MeshRows& fine, MeshLevel& level, const NodeBox& box)
 {
 #if defined(SPHEREPACKING_HAS_AVX2)
   if (HasAvx2())
@@ -51,7 +51,7 @@ void Collect(const MeshRows& fine, MeshLevel& level, const MeshBox& box)
   CollectCharges(fine, level, box);
 }
 
-void MakeField(FieldMesh& mesh, std::size_t level, const MeshBox& box)
+void MakeField(FieldMesh& mesh, std::size_t level, const NodeBox& box)
 {
 #if defined(SPHEREPACKING_HAS_AVX2)
   if (HasAvx2())
@@ -64,10 +64,10 @@ void MakeField(FieldMesh& mesh, std::size_t level, const MeshBox& box)
 }
 
 // Layers.
-std::vector<MeshBox> CutBox(const MeshBox& box)
+std::vector<NodeBox> CutBox(const NodeBox& box)
 {
   constexpr int thickness = 2;
-  std::vector<MeshBox> parts;
+  std::vector<NodeBox> parts;
   for (int z = 0; z < box.Count[2]; z += thickness)
   {
     parts.push_back(box);
@@ -141,7 +141,7 @@ public:
       MeshArray& field = this->Mesh.Levels[level].Field;
       field.Allocate();
       this->ForParts(
-        field.Rows.Box, [&](const MeshBox& part) { MakeField(this->Mesh, level, part); });
+        field.Rows.Box, [&](const NodeBox& part) { MakeField(this->Mesh, level, part); });
       this->Mesh.Levels[level].Charges = MeshArray();
       if (level + 1 < this->Mesh.Levels.size())
       {
@@ -152,9 +152,9 @@ public:
 
 private:
   template <typename Work>
-  void ForParts(const MeshBox& box, Work work) const
+  void ForParts(const NodeBox& box, Work work) const
   {
-    const std::vector<MeshBox> parts = CutBox(box);
+    const std::vector<NodeBox> parts = CutBox(box);
     this->Each(static_cast<std::int64_t>(parts.size()), [&](std::int64_t i) { work(parts[i]); });
   }
 
@@ -193,7 +193,7 @@ private:
     FieldMesh& mesh = this->Mesh;
     const ChargeBox box = BoxOf(charges);
     MeshLevel finest;
-    MeshBox& nodes = finest.Charges.Rows.Box;
+    NodeBox& nodes = finest.Charges.Rows.Box;
     for (int axis = 0; axis < 3; ++axis)
     {
       nodes.First[axis] = mesh.LowestNode(axis, box.Low[axis]);
@@ -249,7 +249,7 @@ private:
       const double step = this->StepOf(level, axis);
       const int radius = RadiusOf(down, 0.5 * step);
       coarse.Down.Along[axis] = TapsOf(radius, down, 0.5 * step, step);
-      MeshBox& charges = coarse.Charges.Rows.Box;
+      NodeBox& charges = coarse.Charges.Rows.Box;
       const int first = fine.Charges.Rows.Box.First[axis];
       charges.First[axis] = (first - radius + 1) >> 1;
       charges.Count[axis] =
@@ -264,7 +264,7 @@ private:
           taps.Weights.push_back(static_cast<float>(step * GaussianOf((i - 0.5 * odd) * step, up)));
         }
       }
-      MeshBox& field = coarse.Field.Rows.Box;
+      NodeBox& field = coarse.Field.Rows.Box;
       const int start = fine.Field.Rows.Box.First[axis];
       field.First[axis] = (start >> 1) - reach;
       field.Count[axis] =
@@ -280,7 +280,7 @@ private:
     coarse.Field.Rows = MeshRows(coarse.Field.Rows.Box, 0);
     coarse.Charges.Allocate();
     this->ForParts(coarse.Charges.Rows.Box,
-      [&](const MeshBox& part) { Collect(fine.Charges.Rows, coarse, part); });
+      [&](const NodeBox& part) { Collect(fine.Charges.Rows, coarse, part); });
     this->Mesh.Levels.push_back(std::move(coarse));
     return true;
   }
@@ -297,8 +297,8 @@ private:
     for (int axis = 0; axis < 3; ++axis)
     {
       const double step = this->StepOf(level, axis);
-      const MeshBox& from = own.Charges.Rows.Box;
-      const MeshBox& to = own.Field.Rows.Box;
+      const NodeBox& from = own.Charges.Rows.Box;
+      const NodeBox& to = own.Field.Rows.Box;
       const int farthest = std::max(from.First[axis] + from.Count[axis] - to.First[axis],
         to.First[axis] + to.Count[axis] - from.First[axis]);
       const int radius = std::min(RadiusOf(left, step), farthest);
@@ -335,7 +335,7 @@ private:
   // No charge is farther from a place of the grid.
   double Farthest() const
   {
-    const MeshBox& charges = this->Mesh.Levels[0].Charges.Rows.Box;
+    const NodeBox& charges = this->Mesh.Levels[0].Charges.Rows.Box;
     double square = 0.0;
     for (int axis = 0; axis < 3; ++axis)
     {

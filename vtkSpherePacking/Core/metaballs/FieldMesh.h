@@ -15,7 +15,7 @@
 namespace spherepacking
 {
 /// Nodes of a mesh, by their numbers: node 0 of all meshes is at the grid's origin.
-struct MeshBox
+struct NodeBox
 {
   int First[3] = {};
   int Count[3] = {};
@@ -30,13 +30,13 @@ struct MeshBox
 /// of 32 values, so that neighbours do not compete for places in the cache.
 struct MeshRows
 {
-  MeshBox Box;
+  NodeBox Box;
   std::ptrdiff_t Stride = 0; ///< of rows
   float* Values = nullptr;
 
   MeshRows() = default;
   /// With room for so many more values in each row.
-  SPHEREPACKING_INLINE explicit MeshRows(const MeshBox& box, int room)
+  SPHEREPACKING_INLINE explicit MeshRows(const NodeBox& box, int room)
     : Box(box)
     , Stride((box.Count[0] + room + 7) / 8 * 8)
   {
@@ -107,7 +107,7 @@ struct FieldMesh
   float Smooth[Terms]; ///< the others, a polynomial of (d / Reach)^2
   int Window[3];       ///< nodes that a charge is spread to
   /// Each has charges whose lowest nodes are among Window nodes; First is the lowest of all.
-  MeshBox Cells;
+  NodeBox Cells;
   std::vector<std::int32_t> CellStarts;
   std::vector<Charge> Charges; ///< cell by cell
   std::vector<MeshLevel> Levels;
@@ -122,7 +122,7 @@ struct FieldMesh
   /// The number of a cell's first charge; the next cell's is where they end.
   SPHEREPACKING_INLINE const std::int32_t* CellAt(int x, int y, int z) const
   {
-    const MeshBox& cells = this->Cells;
+    const NodeBox& cells = this->Cells;
     return this->CellStarts.data() + x +
       cells.Count[0] * (y + static_cast<std::ptrdiff_t>(cells.Count[1]) * z);
   }

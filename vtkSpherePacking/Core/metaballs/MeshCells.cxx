@@ -10,7 +10,7 @@ namespace
 // The cell of each charge.
 std::vector<std::int32_t> OwnersOf(const FieldMesh& mesh, const ParallelFor& parallelFor)
 {
-  const MeshBox& cells = mesh.Cells;
+  const NodeBox& cells = mesh.Cells;
   const auto count = static_cast<std::int64_t>(mesh.Charges.size());
   std::vector<std::int32_t> owners(mesh.Charges.size());
   constexpr std::int64_t part = 16384;
@@ -52,12 +52,12 @@ ChargeBox BoxOf(const std::vector<Charge>& charges)
 //------------------------------------------------------------------------------
 void SortIntoCells(std::vector<Charge>&& charges, FieldMesh& mesh, const ParallelFor& parallelFor)
 {
-  const ChargeBox box = BoxOf(charges);
+  const NodeBox& nodes = mesh.Levels[0].Charges.Rows.Box;
   for (int axis = 0; axis < 3; ++axis)
   {
-    mesh.Cells.First[axis] = mesh.LowestNode(axis, box.Low[axis]);
-    mesh.Cells.Count[axis] =
-      (mesh.LowestNode(axis, box.High[axis]) - mesh.Cells.First[axis]) / mesh.Window[axis] + 1;
+    mesh.Cells.First[axis] = nodes.First[axis];
+    // Charges begin a window before the nodes end.
+    mesh.Cells.Count[axis] = (nodes.Count[axis] - mesh.Window[axis]) / mesh.Window[axis] + 1;
   }
   mesh.Charges = std::move(charges);
   std::vector<std::int32_t> owners = OwnersOf(mesh, parallelFor);

@@ -15,8 +15,8 @@ struct ChargeBox
 /// The box of the places of charges, of which there are some.
 ChargeBox BoxOf(const std::vector<Charge>& charges);
 
-/// Gives a mesh its charges, cell by cell, and the cells about them. Sorts in place: twice as many
-/// would be more memory than all the rest.
+/// Gives a mesh, whose finest nodes are set, its charges, cell by cell, and the cells. Sorts in
+/// place: twice as many would be more memory than all the rest.
 void SortIntoCells(std::vector<Charge>&& charges, FieldMesh& mesh, const ParallelFor& parallelFor);
 }
 

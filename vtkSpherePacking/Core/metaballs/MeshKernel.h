@@ -116,7 +116,7 @@ struct MeshScratch
 };
 
 /// A box with another's extent along an axis.
-inline MeshBox WithAxis(MeshBox box, int axis, const MeshBox& other)
+inline NodeBox WithAxis(NodeBox box, int axis, const NodeBox& other)
 {
   box.First[axis] = other.First[axis];
   box.Count[axis] = other.Count[axis];
@@ -124,7 +124,7 @@ inline MeshBox WithAxis(MeshBox box, int axis, const MeshBox& other)
 }
 
 /// What of a box is within some nodes of another along y.
-inline MeshBox NearAlongY(MeshBox box, const MeshBox& other, int nodes)
+inline NodeBox NearAlongY(NodeBox box, const NodeBox& other, int nodes)
 {
   const int low = std::max(box.First[1], other.First[1] - nodes);
   const int end = std::min(box.First[1] + box.Count[1], other.First[1] + other.Count[1] + nodes);
@@ -139,7 +139,7 @@ inline void AddSmoothed(
 {
   const MeshTaps(&taps)[3] = kernel.Along;
   const auto same = [](int n) { return n; };
-  const MeshBox near = NearAlongY(from.Box, to.Box, taps[1].Radius);
+  const NodeBox near = NearAlongY(from.Box, to.Box, taps[1].Radius);
   const MeshRows& flat = scratch.Parts[0].Reset(WithAxis(near, 2, to.Box));
   SumAlong(2, from, flat, same, [&](int) -> const MeshTaps& { return taps[2]; });
   const MeshRows& lines = scratch.Parts[1].Reset(WithAxis(flat.Box, 1, to.Box));
@@ -153,7 +153,7 @@ inline void AddSmoothed(
 }
 
 /// Sets the charges in a box of a mesh, as wide as the mesh, from those of the mesh before.
-inline void CollectCharges(const MeshRows& fine, MeshLevel& level, const MeshBox& box)
+inline void CollectCharges(const MeshRows& fine, MeshLevel& level, const NodeBox& box)
 {
   const MeshTaps(&taps)[3] = level.Down.Along;
   MeshScratch scratch;
@@ -182,10 +182,10 @@ inline void AddCoarser(const MeshLevel& level, const MeshRows& to, MeshScratch& 
   const MeshLevel::Kernel(&up)[2] = level.Up;
   const MeshRows& from = level.Field.Rows;
   const auto half = [](int n) { return n >> 1; };
-  MeshBox coarse = to.Box;
+  NodeBox coarse = to.Box;
   coarse.First[1] >>= 1;
   coarse.Count[1] = ((to.Box.First[1] + to.Box.Count[1] - 1) >> 1) - coarse.First[1] + 1;
-  const MeshBox near = NearAlongY(from.Box, coarse, up[0].Along[1].Radius);
+  const NodeBox near = NearAlongY(from.Box, coarse, up[0].Along[1].Radius);
   const MeshRows& flat = scratch.Parts[0].Reset(WithAxis(near, 2, to.Box));
   SumAlong(2, from, flat, half, [&](int n) -> const MeshTaps& { return up[n & 1].Along[2]; });
   const MeshRows& lines = scratch.Parts[1].Reset(WithAxis(flat.Box, 1, to.Box));
@@ -211,7 +211,7 @@ inline void AddCoarser(const MeshLevel& level, const MeshRows& to, MeshScratch& 
 
 /// Sets `scratch.Sums` to the field of the terms that meshes from a level on make, in a box of it.
 inline void SumMeshes(
-  const FieldMesh& mesh, std::size_t level, const MeshBox& box, MeshScratch& scratch)
+  const FieldMesh& mesh, std::size_t level, const NodeBox& box, MeshScratch& scratch)
 {
   const MeshLevel& own = mesh.Levels[level];
   const MeshRows& sums = scratch.Sums.Reset(box);
@@ -227,7 +227,7 @@ inline void SumMeshes(
 }
 
 /// Sets the field in a box of a mesh other than the finest.
-inline void MakeMeshField(FieldMesh& mesh, std::size_t level, const MeshBox& box)
+inline void MakeMeshField(FieldMesh& mesh, std::size_t level, const NodeBox& box)
 {
   MeshScratch scratch;
   SumMeshes(mesh, level, box, scratch);

@@ -16,7 +16,7 @@ class MeshPatch
 {
 public:
   /// Its values mean nothing yet.
-  const MeshRows& Reset(const MeshBox& box)
+  const MeshRows& Reset(const NodeBox& box)
   {
     this->Rows = MeshRows(box, 8);
     this->Values.resize(std::max(this->Values.size(), static_cast<std::size_t>(this->Rows.Size())));
@@ -32,7 +32,7 @@ private:
 
 /// Calls visit(y, z) for the rows of a box.
 template <typename Visit>
-inline void ForEachRow(const MeshBox& box, Visit visit)
+inline void ForEachRow(const NodeBox& box, Visit visit)
 {
   for (int z = box.First[2]; z < box.First[2] + box.Count[2]; ++z)
   {
@@ -48,7 +48,7 @@ inline void ForEachRow(const MeshBox& box, Visit visit)
 /// charges are wrong by 2^-24 times 512, or twice the root of n, at most. `box` has all nodes that
 /// they change.
 template <typename Add>
-inline void AddInParts(const Charge* charges, std::int32_t count, const MeshBox& box,
+inline void AddInParts(const Charge* charges, std::int32_t count, const NodeBox& box,
   const MeshRows& to, MeshPatch& patch, Add add)
 {
   constexpr std::int32_t few = 512;

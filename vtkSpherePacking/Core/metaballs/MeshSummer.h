@@ -26,7 +26,7 @@ public:
 
   void Run(const FieldBlock& block)
   {
-    MeshBox box;
+    NodeBox box;
     for (int axis = 0; axis < 3; ++axis)
     {
       box.First[axis] = static_cast<int>(block.First[axis]);
@@ -46,12 +46,12 @@ private:
   // Goes through the cells that have charges within reach of the box.
   void AddSharp()
   {
-    const MeshBox& cells = this->Mesh.Cells;
+    const NodeBox& cells = this->Mesh.Cells;
     int first[3];
     int last[3];
     for (int axis = 0; axis < 3; ++axis)
     {
-      const MeshBox& box = this->Scratch.Sums.Rows.Box;
+      const NodeBox& box = this->Scratch.Sums.Rows.Box;
       const int reach = static_cast<int>(this->Mesh.Reach / this->Mesh.Step[axis]) + 1;
       const int size = this->Mesh.Window[axis];
       // Of the lowest nodes that charges are spread to, half a window below these.
@@ -98,7 +98,7 @@ private:
 
   Place PlaceOf(int axis, double x) const
   {
-    const MeshBox& box = this->Scratch.Sums.Rows.Box;
+    const NodeBox& box = this->Scratch.Sums.Rows.Box;
     const double step = this->Mesh.Step[axis];
     const double at = (x - this->Mesh.Origin[axis]) / step - box.First[axis];
     const double reach = this->Mesh.Reach / step;

@@ -78,12 +78,12 @@ inline void SpreadCells(FieldMesh& mesh, int y, int z)
   MeshPatch patch;
   for (int x = 0; x < mesh.Cells.Count[0]; ++x)
   {
-    MeshBox box;
+    NodeBox box;
     const int cell[3] = { x, y, z };
     for (int axis = 0; axis < 3; ++axis)
     {
       box.First[axis] = mesh.Cells.First[axis] + cell[axis] * mesh.Window[axis];
-      const MeshBox& all = mesh.Levels[0].Charges.Rows.Box;
+      const NodeBox& all = mesh.Levels[0].Charges.Rows.Box;
       const int end = all.First[axis] + all.Count[axis];
       box.Count[axis] = std::min(2 * mesh.Window[axis], end - box.First[axis]);
     }

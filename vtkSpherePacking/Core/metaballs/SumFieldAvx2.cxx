@@ -35,13 +35,13 @@ void SpreadCellsAvx2(FieldMesh& mesh, int y, int z)
 }
 
 //------------------------------------------------------------------------------
-void CollectChargesAvx2(const MeshRows& fine, MeshLevel& level, const MeshBox& box)
+void CollectChargesAvx2(const MeshRows& fine, MeshLevel& level, const NodeBox& box)
 {
   CollectCharges(fine, level, box);
 }
 
 //------------------------------------------------------------------------------
-void MakeMeshFieldAvx2(FieldMesh& mesh, std::size_t level, const MeshBox& box)
+void MakeMeshFieldAvx2(FieldMesh& mesh, std::size_t level, const NodeBox& box)
 {
   MakeMeshField(mesh, level, box);
 }

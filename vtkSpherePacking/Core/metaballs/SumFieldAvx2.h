@@ -13,8 +13,8 @@ void FindStrongestAvx2(const FieldScene& scene, const FieldBlock& block);
 void ComputeMomentsAvx2(
   const ChargeTree& tree, const std::int32_t* nodes, int count, ClusterMoments& moments);
 void SpreadCellsAvx2(FieldMesh& mesh, int y, int z);
-void CollectChargesAvx2(const MeshRows& fine, MeshLevel& level, const MeshBox& box);
-void MakeMeshFieldAvx2(FieldMesh& mesh, std::size_t level, const MeshBox& box);
+void CollectChargesAvx2(const MeshRows& fine, MeshLevel& level, const NodeBox& box);
+void MakeMeshFieldAvx2(FieldMesh& mesh, std::size_t level, const NodeBox& box);
 }
 
 #endif

@@ -79,14 +79,13 @@ SurfaceMesh Part(const SurfaceMesh& mesh, const Ids& triangles)
 }
 
 // Turns the triangles of each patch alike: the fewer, by area, as the others are.
-std::vector<Ids> OrientPatches(SurfaceMesh& mesh)
+std::vector<Ids> OrientPatches(SurfaceMesh& mesh, const std::vector<MeshEdge>& edges)
 {
   struct Link
   {
     std::int32_t Other;
     bool Same; // both are turned the same way
   };
-  const std::vector<MeshEdge> edges = EdgesOf(mesh);
   std::vector<std::vector<Link>> links(mesh.Triangles.size());
   ForEachEdgeGroup(edges,
     [&](const MeshEdge* first, const MeshEdge* last)
@@ -226,9 +225,9 @@ void OrientByCrossings(SurfaceMesh& mesh, const Ids& shell, const Ids& patch)
 }
 
 // Of each triangle, its patch if that is closed by itself, or -1.
-Ids ClosedPatches(const SurfaceMesh& mesh, const std::vector<Ids>& patches)
+Ids ClosedPatches(const std::vector<MeshEdge>& edges, const std::vector<Ids>& patches)
 {
-  Ids patchOf(mesh.Triangles.size());
+  Ids patchOf(edges.size() / 3);
   for (std::size_t i = 0; i < patches.size(); ++i)
   {
     for (const std::int32_t at : patches[i])
@@ -238,7 +237,7 @@ Ids ClosedPatches(const SurfaceMesh& mesh, const std::vector<Ids>& patches)
   }
   std::vector<bool> closed(patches.size(), true);
   ForEachUnbalanced(
-    EdgesOf(mesh), patchOf, [&](const MeshEdge& edge) { closed[patchOf[edge.Triangle]] = false; });
+    edges, patchOf, [&](const MeshEdge& edge) { closed[patchOf[edge.Triangle]] = false; });
   for (std::int32_t& patch : patchOf)
   {
     patch = closed[patch] ? patch : -1;
@@ -252,12 +251,13 @@ std::vector<Ids> OrientEachShell(SurfaceMesh& mesh, const std::function<bool()>&
   // Patches that are turned the wrong way may fit each other, so nothing can be told from them
   // later.
   Ids turned;
-  ForEachUnbalanced(EdgesOf(mesh), Ids(mesh.Triangles.size(), 0),
+  std::vector<MeshEdge> edges = EdgesOf(mesh);
+  ForEachUnbalanced(edges, Ids(mesh.Triangles.size(), 0),
     [&](const MeshEdge& edge) { turned.push_back(edge.Triangle); });
-  const std::vector<Ids> patches = OrientPatches(mesh);
+  const std::vector<Ids> patches = OrientPatches(mesh, edges);
+  edges = EdgesOf(mesh);
   Union joined(mesh.Triangles.size());
-  const std::vector<MeshEdge> edges = EdgesOf(mesh);
-  const Ids closed = ClosedPatches(mesh, patches);
+  const Ids closed = ClosedPatches(edges, patches);
   ForEachEdgeGroup(edges,
     [&](const MeshEdge* first, const MeshEdge* last)
     {
