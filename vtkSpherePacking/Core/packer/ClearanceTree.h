@@ -37,11 +37,18 @@ public:
     float Clearance = 0.0f; ///< of the middle, or a little more
     float Bound = 0.0f;     ///< of all clearances in it
     std::int32_t Child = -1;
-    std::uint32_t Birth = 0; ///< changes when another cell takes the place of this
-    bool Dead = false;
-    bool Stale = false; ///< whether spheres have come since the bound was found
+    // There are millions of cells: these share a word.
+    std::uint32_t Birth : 30; ///< changes when another cell takes the place of this
+    std::uint32_t Dead : 1;
+    std::uint32_t Stale : 1; ///< whether spheres have come since the bound was found
     IdList Near;
 
+    Cell()
+      : Birth(0)
+      , Dead(false)
+      , Stale(false)
+    {
+    }
     double Diagonal() const { return 1.7320508075688774 * this->Half; } ///< half of it
   };
   using Eight = std::array<Cell, 8>;
