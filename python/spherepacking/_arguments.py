@@ -5,6 +5,7 @@ Every check raises one exception whose message starts with the name of the argum
 
 from __future__ import annotations
 
+import numbers
 import operator
 from typing import TYPE_CHECKING
 
@@ -23,11 +24,9 @@ _SCALES = (1e-150, 1e150)
 
 
 def number_of(name: str, value: float, low: float, high: float) -> float:
-    """`value` as a float from `low` to `high`, or a ValueError."""
-    try:
-        number = float(value)
-    except (TypeError, ValueError):
-        number = np.nan
+    """`value` as a float from `low` to `high`, or a ValueError; texts and truth values are none."""
+    real = isinstance(value, numbers.Real) and not isinstance(value, bool)
+    number = float(value) if real else np.nan
     if not low <= number <= high:
         raise ValueError(f"{name}: found {value!r}, expected a number from {low:g} to {high:g}")
     return number

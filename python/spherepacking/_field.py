@@ -45,7 +45,7 @@ def coloring_of(coloring: str | None) -> str | None:
 
 def threshold_of(threshold: float) -> float:
     """`threshold` as a finite number above 0, or a ValueError."""
-    value = np.inf if isinstance(threshold, bool) else arguments.above_zero("threshold", threshold)
+    value = arguments.above_zero("threshold", threshold)
     if value == np.inf:
         raise ValueError(f"threshold: found {threshold!r}, expected a finite number above 0")
     return value

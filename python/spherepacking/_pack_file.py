@@ -13,6 +13,7 @@ import pyvista as pv
 
 from ._errors import PackingFileError
 from ._pack import pack
+from ._ply import ends_early
 from .writers import write
 
 
@@ -51,6 +52,8 @@ def read_surface(path: Path) -> pv.PolyData:
             raise ValueError(f"{path}: is no OFF file that can be read")
         mesh = pv.PolyData()
         mesh.ShallowCopy(reader.GetOutput())
+    elif path.suffix.lower() == ".ply" and ends_early(path):
+        raise ValueError(f"{path}: is no surface that can be read: the file ends early")
     else:
         # What goes wrong is said below, once.
         logging.disable(logging.CRITICAL)

@@ -27,6 +27,7 @@ class _Bar:
     def __call__(self, algorithm: object, _event: str) -> None:
         if self.interrupted:
             algorithm.SetAbortExecute(1)
+            return  # VTK says that all is done when it stops
         if self.progress is None:
             if time.monotonic() < self.show_after:
                 return

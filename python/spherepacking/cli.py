@@ -6,14 +6,31 @@ import os
 import signal
 import sys
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import TYPE_CHECKING, Annotated, Literal
 
 from cyclopts import App, CycloptsError, Parameter
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from cyclopts import Token
 
 Vector = tuple[float, float, float]
 Technique = Literal["opengl", "raycast", "pathtrace", "metaballs", "bvh", "grid"]
 Kernel = Literal["inverse", "inverse_square", "gaussian", "wyvill"]
 Output = Annotated[Path, Parameter(alias="-o")]
+
+
+def _whole(_: type, tokens: Sequence[Token]) -> int:
+    """Not rounded, as cyclopts would do."""
+    (token,) = tokens
+    try:
+        return int(token.value)
+    except ValueError:
+        raise ValueError(f"found {token.value}, expected an integer") from None
+
+
+Whole = Annotated[int, Parameter(converter=_whole)]
 
 
 def _version() -> str:
@@ -79,16 +96,16 @@ def render(
     anti_aliasing: bool = True,
     technique: Technique = "opengl",
     structure: Literal["bvh", "grid", "none"] = "bvh",
-    samples: int | None = None,
-    boxes: int = 15,
-    cuts: int = 6,
-    max_bounces: int = 4,
+    samples: Whole | None = None,
+    boxes: Whole = 15,
+    cuts: Whole = 6,
+    max_bounces: Whole = 4,
     albedo: float = 0.8,
     sky: Annotated[list[str] | None, Parameter(consume_multiple=True, negative=())] = None,
     sun: Vector | None = None,
     sun_radiance: float = 1.0,
     sun_diameter: float = 0.53,
-    seed: int = 0,
+    seed: Whole = 0,
     time_budget: float | None = None,
     noise_target: float | None = None,
     exposure: float = 0.0,
@@ -97,8 +114,8 @@ def render(
     threshold: float = 1.0,
     kernel: Kernel = "inverse",
     weights: Annotated[list[float] | None, Parameter(consume_multiple=True, negative=())] = None,
-    count: int | None = None,
-    dimensions: int = 128,
+    count: Whole | None = None,
+    dimensions: Whole = 128,
 ) -> None:
     """Draw a packing and save the picture.
 
@@ -317,8 +334,8 @@ def pack(
     target: Path,
     /,
     *,
-    count: int = 1000,
-    seed: int = 0,
+    count: Whole = 1000,
+    seed: Whole = 0,
     min_radius: float | None = None,
     fraction: float | None = None,
 ) -> None:
@@ -333,13 +350,13 @@ def pack(
     target
         File to write; its extension decides about the format.
     count
-        How many spheres at most.
+        How many spheres at most, whatever else is asked for.
     seed
         Another number gives another packing.
     min_radius
-        Radii are above this, in the unit of the surface.
+        Radii are above this, in the unit of the surface. For all such spheres, give a large count.
     fraction
-        Part of the volume that is enough, above 0 and up to 1.
+        Part of the volume that is enough, above 0 and up to 1, if the count allows it.
     """
     _load()
 
@@ -369,7 +386,7 @@ def bench(
     ),
     only: Annotated[list[str] | None, Parameter(consume_multiple=True, negative=())] = None,
     size: tuple[int, int] = (1000, 1000),
-    turns: int = 5,
+    turns: Whole = 5,
     limit: float = 20.0,
     csv: Path = Path("bench.csv"),
     png: Path = Path("bench.png"),

@@ -364,6 +364,17 @@ def test_far_from_the_origin(rng):
     check_packing(pack(moved, 100), moved, rng)
 
 
+def test_as_far_as_doubles_hold_the_surface():
+    mesh = pv.Cube().triangulate().clean()
+    far = np.array([1e15, 0, 0])
+    moved = surface_of(np.asarray(mesh.points) + far, mesh.faces.reshape(-1, 4)[:, 1:])
+    packing = pack(moved, 50)
+    assert packing.n_points
+    assert packing["radius"].min() > 0.0
+    outwards = np.abs(np.asarray(packing.points) - far).max(axis=1)
+    assert (outwards + packing["radius"] <= 0.5).all()
+
+
 # --- stopping ---------------------------------------------------------------------------------
 
 

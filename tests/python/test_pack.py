@@ -1,6 +1,8 @@
 """``spherepacking.pack`` and the command ``spherepacking pack``."""
 
+import contextlib
 import os
+import pty
 import signal
 import subprocess
 import sys
@@ -10,6 +12,7 @@ import numpy as np
 import pytest
 import pyvista as pv
 import spherepacking
+from spherepacking._ply import ends_early
 from spherepacking.cli import main
 
 
@@ -55,6 +58,7 @@ def test_limits():
         ({"mesh": None}, TypeError, "mesh: found NoneType"),
         ({"mesh": pv.Plane()}, ValueError, "surface: found 40 open edges"),
         ({"mesh": pv.PolyData()}, ValueError, "surface: found no triangles"),
+        ({"mesh": pv.Cube(z_length=1e-6)}, ValueError, "surface: found no sphere of a millionth"),
         ({"count": 0}, ValueError, "count: found 0"),
         ({"count": 2.5}, TypeError, "count: found 2.5"),
         ({"seed": -1}, ValueError, "seed: found -1"),
@@ -62,6 +66,8 @@ def test_limits():
         ({"min_radius": 0.6}, ValueError, "min_radius: found 0.6, expected less"),
         ({"min_radius": np.nan}, ValueError, "min_radius: found nan"),
         ({"min_radius": np.inf}, ValueError, "min_radius: found inf"),
+        ({"min_radius": "0.1"}, ValueError, "min_radius: found '0.1', expected a number"),
+        ({"fraction": True}, ValueError, "fraction: found True, expected a number"),
         ({"fraction": 0}, ValueError, "fraction: found 0"),
         ({"fraction": 1.1}, ValueError, "fraction: found 1.1"),
         ({"progress_bar": 1}, TypeError, "progress_bar: found 1"),
@@ -110,13 +116,16 @@ def test_off_files(tmp_path):
         (("text.ply", "out.spheres"), "text.ply"),
         (("text.off", "out.spheres"), "text.off: is no OFF file that can be read"),
         (("text.vtk", "out.spheres"), "text.vtk: is no surface that can be read"),
-        (("cube.ply", "out.spheres", "--min-radius", "9"), "no sphere of that radius fits"),
+        (("cube.ply", "out.spheres", "--min-radius", "9"), "no sphere above that was found"),
+        (("cube.ply", "out.spheres", "--count", "1.5"), "found 1.5, expected an integer"),
+        (("cut.ply", "out.spheres"), "cut.ply: is no surface that can be read: the file ends"),
     ],
 )
 def test_command_errors(cube_file, monkeypatch, capsys, words, message):
     monkeypatch.chdir(cube_file.parent)
     pv.Plane().save("open.ply")
     pv.PolyData(np.zeros((3, 3))).save("points.ply")
+    cube_file.with_name("cut.ply").write_bytes(cube_file.read_bytes()[:-5])  # crashes VTK's reader
     cube_file.with_name("text.txt").write_text("no surface\n")
     cube_file.with_name("text.ply").write_text("no surface\n")
     cube_file.with_name("text.vtk").write_text("no surface\n")
@@ -128,20 +137,45 @@ def test_command_errors(cube_file, monkeypatch, capsys, words, message):
     assert not cube_file.with_name("out.spheres").exists()
 
 
+@pytest.mark.parametrize("polygons", ["triangles", "both"])
+def test_binary_ply_files_that_end_early(tmp_path, polygons):
+    mesh = pv.Cube().clean() if polygons == "both" else pv.Cube().triangulate().clean()
+    if polygons == "both":
+        other = pv.Cube(center=(3, 0, 0)).triangulate().clean()
+        mesh = mesh.merge(other).extract_surface(algorithm=None)
+    path = tmp_path / "mesh.ply"
+    mesh.save(path)
+    data = path.read_bytes()
+    assert not ends_early(path)
+    for size in range(data.index(b"end_header") + 11, len(data)):
+        path.write_bytes(data[:size])
+        assert ends_early(path), size
+
+
 def test_stopped_packings_are_written(cube_file):
     target = cube_file.with_suffix(".spheres")
+    terminal, stderr = pty.openpty()
     process = subprocess.Popen(
         [sys.executable, "-m", "spherepacking", "pack", cube_file, target, "--count", "9999999"],
         stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
+        stderr=stderr,
         text=True,
-        env={**os.environ, "PYTHONUNBUFFERED": "1"},
+        env={**os.environ, "PYTHONUNBUFFERED": "1", "TERM": "xterm"},
     )
-    time.sleep(6)
+    os.close(stderr)
+    said = ""
+    while "packing" not in said:  # the bar is drawn, so there are spheres
+        said += os.read(terminal, 1024).decode()
+    time.sleep(0.5)
     process.send_signal(signal.SIGINT)
-    out, said = process.communicate(timeout=60)
+    with contextlib.suppress(OSError):  # that of Linux for the end
+        while part := os.read(terminal, 1024).decode():
+            said += part
+    out, _ = process.communicate(timeout=60)
+    os.close(terminal)
     assert process.returncode == 130
     packing = spherepacking.read(target)
     assert out.startswith(f"{packing.n_points} spheres fill")
     assert f"stopped after {packing.n_points} of 9999999 spheres" in said
+    assert "100%" not in said
     assert packing["radius"][0] == pytest.approx(0.5, rel=1e-5)

@@ -202,7 +202,7 @@ void FillOutput(const std::vector<PackedSphere>& spheres, const Frame& frame, vt
     {
       *centers++ = frame.Middle[axis] + frame.Unit * sphere.Center[axis];
     }
-    *radii++ = std::max(frame.Unit * sphere.Radius - frame.Rounding(), 0.0);
+    *radii++ = frame.Unit * sphere.Radius - frame.Rounding();
   }
   arrays.MoveTo(output);
 }
@@ -296,7 +296,9 @@ void vtkSpherePacker::Pack(vtkPolyData* surface, vtkPolyData* output)
   }
   spherepacking::PackingGoal goal;
   goal.Count = this->NumberOfSpheres;
-  goal.LeastRadius = std::max(this->MinimumRadius / frame.Unit, 1e-6);
+  // What is written is smaller by what rounding may do, see FillOutput().
+  goal.LeastRadius =
+    std::max(this->MinimumRadius / frame.Unit, 1e-6) + frame.Rounding() / frame.Unit;
   // Of surfaces that cross themselves the volume is no measure of what is inside.
   goal.Volume = this->VolumeFraction < 1.0 ? this->VolumeFraction * volume
                                            : std::numeric_limits<double>::infinity();
@@ -314,10 +316,10 @@ void vtkSpherePacker::Pack(vtkPolyData* surface, vtkPolyData* output)
   {
     if (this->MinimumRadius > 0.0)
     {
-      Refuse("min_radius", this->MinimumRadius, "less: no sphere of that radius fits");
+      Refuse("min_radius", this->MinimumRadius, "less: no sphere above that was found to fit");
     }
-    throw std::invalid_argument("surface: found one so thin that no sphere of a millionth of its "
-                                "size fits, expected a thicker one");
+    throw std::invalid_argument("surface: found no sphere of a millionth of its size that fits, "
+                                "expected a thicker one");
   }
   FillOutput(spheres, frame, output);
   vtkSpherePackingAddField(output, "surface_volume", { volume * cube });
