@@ -344,6 +344,14 @@ def test_needles_and_slivers(rng):
     check_packing(pack(mesh, 100), mesh, rng)
 
 
+def test_many_spikes(rng):
+    mesh = pv.Icosphere(nsub=3)
+    lengths = np.where(rng.random(mesh.n_points) < 0.5, 0.02, 1.0)
+    points = np.asarray(mesh.points, float) * lengths[:, None]
+    spiky = surface_of(points, mesh.faces.reshape(-1, 4)[:, 1:])
+    check_packing(pack(spiky, 300), spiky, rng)
+
+
 @pytest.mark.parametrize("scale", [1e-12, 1e-3, 1e12])
 def test_any_unit(rng, scale):
     mesh = blob(rng)

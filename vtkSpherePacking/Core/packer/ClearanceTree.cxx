@@ -17,11 +17,6 @@ double DistanceTo(const PackedSphere& sphere, const Vector3& place)
   return Length(place - sphere.Center) - sphere.Radius;
 }
 
-bool IsInside(const TriangleTree& surface, const Vector3& place)
-{
-  return surface.WindingNumber(place) > 0.5;
-}
-
 // Bounds are kept in single precision, rounded to the side on which they stay bounds.
 float Above(double bound)
 {
@@ -56,7 +51,7 @@ ClearanceTree::ClearanceTree(
   double distance = Infinity;
   TriangleTree::Nearest nearest;
   surface.Closest(middle, distance, nearest);
-  distance = IsInside(surface, middle) ? distance : -distance;
+  distance = surface.IsInside(middle) ? distance : -distance;
   root.Surface = TowardsZero(distance);
   root.Clearance = Above(distance);
   root.Bound = Above(root.Clearance + root.Diagonal());
@@ -103,7 +98,7 @@ TriangleTree::Nearest ClearanceTree::Measure(
   }
   // The middles of parent and child are half of the child's diagonal apart.
   const double bound = std::abs(parent.Surface) - diagonal;
-  const bool side = bound > 0.0 ? parent.Surface > 0.0 : IsInside(this->Surface, child.Middle);
+  const bool side = bound > 0.0 ? parent.Surface > 0.0 : this->Surface.IsInside(child.Middle);
   double surface = bound;
   if (!(bound > (side ? spheres : diagonal)))
   {
@@ -191,7 +186,7 @@ float ClearanceTree::GuessBySurface(
   {
     // Some places of the cell lie beyond the triangle's plane. Where these are inside, too, behind
     // another sheet of the surface, their distance grows the other way.
-    if (IsInside(this->Surface, nearest.Point - (0.7 * beyond) * inwards))
+    if (this->Surface.IsInside(nearest.Point - (0.7 * beyond) * inwards))
     {
       clearances = others;
       clearances.AddPlane(-1.0 * inwards, -distance);
@@ -273,7 +268,7 @@ ClearanceTree::Found ClearanceTree::At(const Vector3& place, std::int32_t guess)
     found.Clearance = std::min(found.Clearance, DistanceTo(this->Packed[i], place));
   }
   const double bound = std::abs(leaf.Surface) - Length(away);
-  const bool inside = bound > 0.0 ? leaf.Surface > 0.0 : IsInside(this->Surface, place);
+  const bool inside = bound > 0.0 ? leaf.Surface > 0.0 : this->Surface.IsInside(place);
   if (!inside)
   {
     found.Clearance = 0.0;

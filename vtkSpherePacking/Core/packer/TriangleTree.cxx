@@ -9,13 +9,6 @@ namespace spherepacking
 namespace
 {
 constexpr std::int32_t Leaf = 4;
-constexpr double Pi = 3.14159265358979323846;
-// Distance over size from which a group of triangles counts as a dipole.
-constexpr double Far = 1.5;
-// What the dipoles of a surface that is seen once are wrong by then.
-constexpr double FarError = 0.15;
-constexpr double Farthest = 1e4;
-constexpr int MostDepth = 64; // nodes are halved by their number
 }
 
 //------------------------------------------------------------------------------
@@ -66,20 +59,6 @@ Vector3 ClosestOnTriangle(const Vector3& place, const Vector3 (&corners)[3])
 }
 
 //------------------------------------------------------------------------------
-double SolidAngle(const Vector3& place, const Vector3 (&corners)[3])
-{
-  const Vector3 a = corners[0] - place;
-  const Vector3 b = corners[1] - place;
-  const Vector3 c = corners[2] - place;
-  const double la = Length(a);
-  const double lb = Length(b);
-  const double lc = Length(c);
-  const double above = Dot(a, Cross(b, c));
-  const double below = la * lb * lc + Dot(a, b) * lc + Dot(b, c) * la + Dot(c, a) * lb;
-  return std::atan2(above, below) / (2.0 * Pi);
-}
-
-//------------------------------------------------------------------------------
 TriangleTree::TriangleTree(const SurfaceMesh& mesh)
 {
   this->Triangles.reserve(mesh.Triangles.size());
@@ -91,6 +70,7 @@ TriangleTree::TriangleTree(const SurfaceMesh& mesh)
   if (!this->Triangles.empty())
   {
     this->Build(0, static_cast<std::int32_t>(this->Triangles.size()));
+    this->MakeCaps(mesh);
   }
 }
 
@@ -252,58 +232,5 @@ Vector3 TriangleTree::NormalOf(std::int32_t triangle) const
   const Vector3 area = Cross(corners[1] - corners[0], corners[2] - corners[0]);
   const double length = Length(area);
   return length > 0.0 ? (1.0 / length) * area : Vector3{ 0.0, 0.0, 1.0 };
-}
-
-//------------------------------------------------------------------------------
-double TriangleTree::WindingNumber(const Vector3& place) const
-{
-  for (double far = Far;; far *= 2.0)
-  {
-    double dipoles = 0.0;
-    const double sum = this->SumAngles(place, far, dipoles);
-    const double error = FarError * std::max(1.0, dipoles) * (Far / far) * (Far / far);
-    if (dipoles == 0.0 || std::abs(sum - 0.5) > error || far > Farthest)
-    {
-      return sum;
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-double TriangleTree::SumAngles(const Vector3& place, double far, double& dipoles) const
-{
-  std::int32_t open[2 * MostDepth];
-  int count = 0;
-  double sum = 0.0;
-  if (!this->Nodes.empty())
-  {
-    open[count++] = 0;
-  }
-  while (count > 0)
-  {
-    const std::int32_t at = open[--count];
-    const Node& node = this->Nodes[at];
-    const Vector3 away = node.Middle - place;
-    const double distance = Length(away);
-    if (distance > far * node.Radius)
-    {
-      const double angle = Dot(away, node.Area) / (4.0 * Pi * distance * distance * distance);
-      sum += angle;
-      dipoles += std::abs(angle);
-    }
-    else if (node.Child < 0)
-    {
-      for (std::int32_t i = node.First; i < node.First + node.Count; ++i)
-      {
-        sum += SolidAngle(place, this->Triangles[i].Of);
-      }
-    }
-    else
-    {
-      open[count++] = node.Child;
-      open[count++] = at + 1;
-    }
-  }
-  return sum;
 }
 }

@@ -6,6 +6,8 @@
 
 namespace spherepacking
 {
+struct AxisLine;
+
 /// Distances to triangles, and on which side of them a place lies, through a tree of boxes.
 class TriangleTree
 {
@@ -27,6 +29,18 @@ public:
 
   /// Of length 1, outwards if the triangle is turned outwards.
   Vector3 NormalOf(std::int32_t triangle) const;
+
+  /// Whether a place lies inside of a surface that is turned outwards: whether its winding number
+  /// is above 0.5.
+  ///
+  /// Of a closed surface that is how often half a line from the place leaves it, less how often it
+  /// enters. Where a few edges have not as many triangles that go one way as such that go the
+  /// other, caps close the surface, and what they add is taken off again. What rounding leaves in
+  /// doubt is left to another line and, in the end, to WindingNumber(), and so are surfaces that
+  /// have many such edges. There are triangles.
+  /// Source: Martens and Bessmeltsev, "One-shot method for computing generalized winding numbers"
+  /// (2025).
+  bool IsInside(const Vector3& place) const;
 
   /// How often the surface goes around a place: 1 inside and 0 outside of one that is closed and
   /// turned outwards. Near to open edges, or to triangles that are turned the wrong way, it is in
@@ -57,11 +71,25 @@ private:
     Vector3 Of[3];
   };
 
+  // A triangle that counts so many times.
+  struct Cap
+  {
+    Corners Triangle;
+    int Times;
+  };
+
+  static constexpr int MostDepth = 64; ///< nodes are halved by their number
+
+  std::array<AxisLine, 3> ShortestLines(const Vector3& place) const;
+  void MakeCaps(const SurfaceMesh& mesh);
+  bool SumCrossings(const AxisLine& line, int& turns) const;
   double SumAngles(const Vector3& place, double far, double& dipoles) const;
   std::int32_t Build(std::int32_t first, std::int32_t count);
   void Measure(Node& node) const;
   static double SquareToBox(const Node& node, const Vector3& place);
 
+  std::vector<Cap> Caps;
+  bool IsCapped = false;
   std::vector<Corners> Triangles;
   std::vector<Node> Nodes;
 };
