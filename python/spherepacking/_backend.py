@@ -74,7 +74,6 @@ vtkSpherePackingTracer = _core.vtkSpherePackingTracer
 vtkSpherePackingWriter = _core.vtkSpherePackingWriter
 vtkFlyingEdges3D = importlib.import_module(f"{VTK_ROOT}.vtkFiltersCore").vtkFlyingEdges3D
 vtkGlyph3DMapper = importlib.import_module(f"{VTK_ROOT}.vtkRenderingCore").vtkGlyph3DMapper
-vtkOFFReader = importlib.import_module(f"{VTK_ROOT}.vtkIOGeometry").vtkOFFReader
 # Stock VTK has it, cvista does not.
 vtkOpenGLSphereMapper = getattr(_opengl, "vtkOpenGLSphereMapper", None)
 vtkOpenGLSpherePackingMapper = _rendering.vtkOpenGLSpherePackingMapper

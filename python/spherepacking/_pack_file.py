@@ -12,6 +12,7 @@ import numpy as np
 import pyvista as pv
 
 from ._errors import PackingFileError
+from ._off import read_off
 from ._pack import pack
 from ._ply import ends_early
 from .writers import write
@@ -40,18 +41,7 @@ def read_surface(path: Path) -> pv.PolyData:
     if not path.is_file():
         raise FileNotFoundError(f"{path}: there is no such file")
     if path.suffix.lower() == ".off":
-        from ._backend import vtkOFFReader
-
-        reader = vtkOFFReader()
-        errors = []
-        for source in (reader, reader.GetExecutive()):
-            source.AddObserver("ErrorEvent", lambda *_: errors.append(True))  # not printed
-        reader.SetFileName(str(path))
-        reader.Update()
-        if errors:
-            raise ValueError(f"{path}: is no OFF file that can be read")
-        mesh = pv.PolyData()
-        mesh.ShallowCopy(reader.GetOutput())
+        mesh = read_off(path)
     elif path.suffix.lower() == ".ply" and ends_early(path):
         raise ValueError(f"{path}: is no surface that can be read: the file ends early")
     else:

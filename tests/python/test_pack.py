@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 import pyvista as pv
 import spherepacking
+from spherepacking._pack_file import read_surface
 from spherepacking._ply import ends_early
 from spherepacking.cli import main
 
@@ -94,14 +95,49 @@ def test_command(cube_file, capsys):
     np.testing.assert_array_equal(packing["radius"], made["radius"])
 
 
-def test_off_files(tmp_path):
-    mesh = pv.Tetrahedron()
-    faces = mesh.faces.reshape(-1, 4)
-    lines = ["OFF", "4 4 0", *(" ".join(map(str, row)) for row in [*mesh.points, *faces])]
+FOUR = ["0 0 0", "1 0 0", "0 1 0", "0 0 1", "3 0 2 1", "3 0 1 3", "3 1 2 3", "3 2 0 3"]
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        ["OFF", "4 4 6", *FOUR],
+        ["# a comment", "", "OFF # and another", "4 4 0", *FOUR, "# the end"],
+        ["OFF 4 4 0", *FOUR],
+        ["OFF4 4 0", *FOUR],
+        ["COFF", "4 4 0", *(line + " 255 0 0 255" for line in FOUR)],
+    ],
+)
+def test_off_files(tmp_path, lines):
     (tmp_path / "four.off").write_text("\n".join(lines) + "\n")
     target = tmp_path / "four.csv"
     assert main(["pack", str(tmp_path / "four.off"), str(target), "--count", "4"]) == 0
-    assert spherepacking.read(target).n_points == 4
+    packing = spherepacking.read(target)
+    assert packing.n_points == 4
+    assert packing["radius"][0] == pytest.approx(0.5 - 1 / 12**0.5, rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("lines", "message"),
+    [
+        ([], "found no line that begins OFF"),
+        (["4 4 0", *FOUR], "found no line that begins OFF"),
+        (["OFF", "4 x", *FOUR], "four.off:2: is no OFF file that can be read: found 4 x, expected"),
+        (
+            ["OFF", "4 4", *FOUR[:-1]],
+            "found 7 lines after that with the numbers, expected 4 points",
+        ),
+        (["OFF", "4 4", "1 2", *FOUR[1:]], "four.off:3: .* found 1 2, expected three coordinates"),
+        (["OFF", "4 4", *FOUR[:-1], "3 0 1 4"], "four.off:10: .* 3 0 1 4, expected .* from 0 to 3"),
+        (["OFF", "4 4", *FOUR[:-1], "-3 0 1 2"], "four.off:10: "),
+        (["OFF", "4 4", *FOUR[:-1], "3 0 1"], "four.off:10: "),
+    ],
+)
+def test_bad_off_files(tmp_path, lines, message):
+    path = tmp_path / "four.off"
+    path.write_text("\n".join(lines))
+    with pytest.raises(ValueError, match=message):
+        read_surface(path)
 
 
 @pytest.mark.parametrize(
@@ -114,7 +150,6 @@ def test_off_files(tmp_path):
         (("open.ply", "out.spheres"), "open edges"),
         (("points.ply", "out.spheres"), "found no polygons"),
         (("text.ply", "out.spheres"), "text.ply"),
-        (("text.off", "out.spheres"), "text.off: is no OFF file that can be read"),
         (("text.vtk", "out.spheres"), "text.vtk: is no surface that can be read"),
         (("cube.ply", "out.spheres", "--min-radius", "9"), "no sphere above that was found"),
         (("cube.ply", "out.spheres", "--count", "1.5"), "found 1.5, expected an integer"),
@@ -129,7 +164,6 @@ def test_command_errors(cube_file, monkeypatch, capsys, words, message):
     cube_file.with_name("text.txt").write_text("no surface\n")
     cube_file.with_name("text.ply").write_text("no surface\n")
     cube_file.with_name("text.vtk").write_text("no surface\n")
-    cube_file.with_name("text.off").write_text("OFF\n3 1 0\nno surface\n")
     assert main(["pack", *words]) == 2
     said = capsys.readouterr().err
     assert message in said
