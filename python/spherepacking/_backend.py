@@ -72,6 +72,10 @@ vtkSpherePackingPathTracer = _core.vtkSpherePackingPathTracer
 vtkSpherePackingReader = _core.vtkSpherePackingReader
 vtkSpherePackingTracer = _core.vtkSpherePackingTracer
 vtkSpherePackingWriter = _core.vtkSpherePackingWriter
+vtkDataObject = importlib.import_module(f"{VTK_ROOT}.vtkCommonDataModel").vtkDataObject
+vtkStreamingDemandDrivenPipeline = importlib.import_module(
+    f"{VTK_ROOT}.vtkCommonExecutionModel"
+).vtkStreamingDemandDrivenPipeline
 vtkFlyingEdges3D = importlib.import_module(f"{VTK_ROOT}.vtkFiltersCore").vtkFlyingEdges3D
 vtkGlyph3DMapper = importlib.import_module(f"{VTK_ROOT}.vtkRenderingCore").vtkGlyph3DMapper
 # Stock VTK has it, cvista does not.

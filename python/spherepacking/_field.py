@@ -28,9 +28,10 @@ def weights_of(weights: ArrayLike | None) -> list[float]:
     if weights is None:
         return []
     try:
-        values = np.atleast_1d(np.asarray(weights, dtype=float))
-    except (TypeError, ValueError):
+        values = np.atleast_1d(np.asarray(weights))
+    except ValueError:
         values = np.empty((0, 0))
+    values = values.astype(float) if values.dtype.kind in "iuf" else np.empty((0, 0))
     if values.ndim != 1 or not values.size or not ((values >= 0) & (values <= 1e20)).all():
         raise ValueError(f"weights: found {weights!r}, expected numbers from 0 to 1e20")
     return values.tolist()
@@ -38,7 +39,7 @@ def weights_of(weights: ArrayLike | None) -> list[float]:
 
 def coloring_of(coloring: str | None) -> str | None:
     """`coloring` as one of COLORINGS or None, or a ValueError."""
-    if coloring is not None and coloring not in COLORINGS:
+    if not (coloring is None or (isinstance(coloring, str) and coloring in COLORINGS)):
         raise ValueError(f"coloring: found {coloring!r}, expected one of {', '.join(COLORINGS)}")
     return coloring
 
@@ -68,7 +69,7 @@ def field_filter(
 
     if packing.n_points:
         arguments.radii_of(packing, "radius")
-    if kernel not in KERNELS:
+    if not (isinstance(kernel, str) and kernel in KERNELS):
         raise ValueError(f"kernel: found {kernel!r}, expected one of {', '.join(KERNELS)}")
     algorithm = vtkMetaballField()
     # Errors are raised, not printed.
@@ -81,12 +82,12 @@ def field_filter(
             f"dimensions: found {dimensions!r} and spacing={spacing!r}, expected one of them"
         )
     if dimensions is not None:
-        three = (dimensions,) * 3 if np.ndim(dimensions) == 0 else tuple(dimensions)
+        three = _three(dimensions)
         if len(three) != 3:
             raise ValueError(f"dimensions: found {dimensions!r}, expected one or three integers")
         algorithm.SetDimensions([arguments.count_of("dimensions", n) for n in three])
     else:
-        three = [spacing] * 3 if np.ndim(spacing) == 0 else list(spacing)
+        three = _three(spacing)
         if len(three) != 3:
             raise ValueError(f"spacing: found {spacing!r}, expected one or three numbers")
         algorithm.SetSpacing([arguments.above_zero("spacing", step) for step in three])
@@ -116,6 +117,13 @@ def field_filter(
         )
     algorithm.SetRelativeError(error)
     return algorithm
+
+
+def _three(value: object) -> list[object]:
+    """One value three times, or a list of those there are."""
+    several = hasattr(value, "__len__") and getattr(value, "ndim", 1) > 0
+    one = isinstance(value, str | bytes) or not several
+    return [value] * 3 if one else list(value)
 
 
 def _ignore(*_: object) -> None:
@@ -300,9 +308,22 @@ def touches_sides(field: pv.ImageData, threshold: float) -> bool:
     )
 
 
-def fills(field: pv.ImageData, surface: pv.PolyData) -> bool:
-    """Whether a surface is at least half as long as its grid, which is wasted otherwise."""
-    if not surface.n_points:
-        return False
+def fills(field: pv.ImageData, bounds: Sequence[float]) -> bool:
+    """Whether a box is at least half as long as the grid, which is wasted otherwise."""
     lengths = np.array(field.spacing) * (np.array(field.dimensions) - 1)
-    return bool(np.ptp(surface.points, axis=0).max() >= 0.5 * lengths.max())
+    box = np.asarray(bounds, dtype=float)
+    return bool((box[1::2] - box[::2]).max() >= 0.5 * lengths.max())
+
+
+def grid_bounds(packing: pv.PolyData, threshold: float, words: dict[str, object]) -> np.ndarray:
+    """Bounds (6,) of the grid that `surface_field` would choose; nothing is summed."""
+    from ._backend import vtkDataObject, vtkStreamingDemandDrivenPipeline
+
+    algorithm = field_filter(packing, threshold=threshold, **words)
+    algorithm.UpdateInformation()
+    information = algorithm.GetOutputInformation(0)
+    extent = information.Get(vtkStreamingDemandDrivenPipeline.WHOLE_EXTENT())
+    origin = np.array(information.Get(vtkDataObject.ORIGIN()))
+    spacing = np.array(information.Get(vtkDataObject.SPACING()))
+    ends = np.array(extent).reshape(3, 2)
+    return (origin[:, None] + spacing[:, None] * ends).ravel()

@@ -16,15 +16,24 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
 
+# A surface that grew may grow on to what it is at the threshold over this.
+_ROOM = 1.5
+# Bytes of fields of ranges that are kept.
+_KEPT = 2**31
+
+
 class Metaballs:
     """What ``plotter.packing.add_metaballs`` returns: an actor and what its surface is made of.
 
     Set :attr:`threshold`, :attr:`weights` or :attr:`count`, and the next rendering shows the new
-    surface. A new threshold needs no new field unless the surface grows out of the grid or fills
-    less than half of it. New weights need none either from the second time on that there are as
-    many of them, since the field is linear in them: the fields of the ranges of spheres are kept,
-    except with ``coloring="strongest"``, which is not linear. After changes of the packing call
-    :meth:`update`.
+    surface. A new threshold needs no new field unless the surface grows out of the grid, or so
+    small that one of less than half the size would do. One that grew gets a grid with room for
+    thresholds down to two thirds.
+
+    The field is linear in the weights. On a grid that suits new ones, the fields of the ranges of
+    spheres are summed and kept if they take no more than 2 GiB, and all other weights, if there are
+    as many and the grid suits them, need no field. With ``coloring="strongest"``, which is not
+    linear, each change needs one. After changes of the packing call :meth:`update`.
 
     Parameters
     ----------
@@ -104,6 +113,9 @@ class Metaballs:
                 self.update()
                 return
             if len(self._ranges) != len(numbers):
+                if not self._may_keep(len(numbers)):
+                    self._renew()
+                    return
                 ones = np.eye(len(numbers))
                 self._ranges = [self._sum(one, same_grid=True) for one in ones]
             self._field = _mixed(self._ranges, numbers)
@@ -119,6 +131,32 @@ class Metaballs:
         self._ranges = []
         self._state = state
         self._take(self._contour())
+
+    def _renew(self) -> None:
+        """Update, with room if the surface has grown."""
+        grid = np.array(self._field.bounds)
+        box = self._needed()
+        grew = (box[::2] < grid[::2]).any() or (box[1::2] > grid[1::2]).any()
+        self._field = self._sum(
+            self._words["weights"], same_grid=False, room=_ROOM if grew else 1.0
+        )
+        self._ranges = []
+        self._take(self._contour())
+
+    def _needed(self) -> np.ndarray:
+        """Bounds of the grid that the surface would be given."""
+        return _field.grid_bounds(self._packing, self._threshold, self._words)
+
+    def _may_keep(self, number: int) -> bool:
+        """Whether fields of so many ranges have room, and the grid is one for the surface."""
+        data = self._field.point_data
+        if number * sum(data[name].nbytes for name in data) > _KEPT:
+            return False
+        if self._words["bounds"] is not None:
+            return True
+        box, grid = self._needed(), np.array(self._field.bounds)
+        inside = (box[::2] >= grid[::2]).all() and (box[1::2] <= grid[1::2]).all()
+        return bool(inside) and _field.fills(self._field, box)
 
     def _change(self, name: str, value: object) -> None:
         before = self._words[name]
@@ -148,18 +186,21 @@ class Metaballs:
                 # On a grid of its own there may be one.
                 warnings.filterwarnings("ignore", "metaballs: ", UserWarning)
                 surface = self._contour()
-            if _field.fills(self._field, surface):
-                self._take(surface)
+            shown = surface.n_points > 0 and _field.fills(self._field, surface.bounds)
+            if shown or _field.fills(self._field, self._needed()):
+                self._take(surface if shown else self._contour())
                 return
-        self.update()
+        self._renew()
 
-    def _sum(self, weights: ArrayLike | None, *, same_grid: bool) -> pv.ImageData:
+    def _sum(
+        self, weights: ArrayLike | None, *, same_grid: bool, room: float = 1.0
+    ) -> pv.ImageData:
         words = self._words | {"weights": weights}
         if same_grid:
             words |= {"bounds": self._field.bounds, "dimensions": self._field.dimensions}
             words["spacing"] = None
         field, self._colors = _field.surface_field(
-            self._packing, self._threshold, self._coloring, self._look, words, False
+            self._packing, self._threshold / room, self._coloring, self._look, words, False
         )
         self.sums += 1
         return field

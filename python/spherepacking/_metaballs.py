@@ -46,9 +46,10 @@ class MetaballsOfPacking:
         The sums of the inverse kernels, which reach everywhere, go through a tree of spheres whose
         far parts are expanded (L. Greengard and V. Rokhlin, "A Fast Algorithm for Particle
         Simulations", 1987; W. Dehnen, "A Hierarchical O(N) Force Calculation Algorithm", 2002).
-        What is smooth of the sums of many spheres goes through meshes, if the error may be 1e-3 and
-        no gradient is wanted (D. Hardy, J. Stone and K. Schulten, "Multilevel summation of
-        electrostatic potentials using graphics processing units", 2009), in a third of the time.
+        What is smooth of the sums of many spheres goes through meshes, which is faster, if the
+        error may be 1e-3 and neither gradient nor strongest is wanted (D. Hardy, J. Stone and K.
+        Schulten, "Multilevel summation of electrostatic potentials using graphics processing
+        units", 2009).
 
         Parameters
         ----------
@@ -105,8 +106,9 @@ class MetaballsOfPacking:
             derivative of what ``field`` approximates, in the field's unit a unit of length; its
             error is small, but not bounded relative to itself), ``strongest`` (int64, the sphere
             that adds most, -1 where none adds anything) and ``blend`` (uint8, 3, the spheres'
-            colours, weighted by what they add), and the field arrays ``build_seconds`` and
-            ``sum_seconds``.
+            colours, weighted by what they add), and the field arrays ``build_seconds``,
+            ``sum_seconds`` and ``meshes``, how many the sums went through, 0 if they did through
+            the tree.
 
         Raises
         ------
@@ -142,6 +144,7 @@ class MetaballsOfPacking:
         flag_of = _field.arguments.flag_of
         algorithm.SetComputeGradient(flag_of("gradient", gradient))
         algorithm.SetComputeStrongest(flag_of("strongest", strongest))
+        flag_of("log_scale", log_scale)
         if flag_of("blend", blend):
             look = {
                 "scalars": scalars,

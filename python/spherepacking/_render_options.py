@@ -95,3 +95,46 @@ def check_view(
         raise ValueError(f"--zoom: found {zoom}, expected a finite number above 0")
     if view_angle is not None and not 0.0 < view_angle < 180.0:
         raise ValueError(f"--view-angle: found {view_angle}, expected degrees from 0 to 180")
+
+
+# What other techniques have no use for.
+_TECHNIQUES = {
+    "samples": ("raycast", "pathtrace"),
+    "structure": ("raycast", "pathtrace"),
+    "boxes": ("bvh",),
+    "cuts": ("grid",),
+    **dict.fromkeys(
+        ("max_bounces", "albedo", "sky", "sun", "sun_radiance", "sun_diameter", "seed"),
+        ("pathtrace",),
+    ),
+    **dict.fromkeys(
+        ("time_budget", "noise_target", "exposure", "filmic", "denoise"), ("pathtrace",)
+    ),
+    **dict.fromkeys(("threshold", "kernel", "weights", "count", "dimensions"), ("metaballs",)),
+}
+
+
+def check_technique(given: dict[str, object], defaults: dict[str, object]) -> None:
+    """Refuse options that the technique has no use for.
+
+    Parameters
+    ----------
+    given : dict
+        Options of ``render``, by their names in Python.
+    defaults : dict
+        The same with their defaults.
+
+    Raises
+    ------
+    ValueError
+        If there is such an option.
+    """
+    for name, techniques in _TECHNIQUES.items():
+        if given["technique"] not in techniques and given[name] != defaults[name]:
+            raise ValueError(
+                f"--{name.replace('_', '-')}: found with --technique {given['technique']}, "
+                f"expected --technique {' or '.join(techniques)}"
+            )
+    for name in ("sun_radiance", "sun_diameter"):
+        if given["sun"] is None and given[name] != defaults[name]:
+            raise ValueError(f"--{name.replace('_', '-')}: found no --sun, expected one")

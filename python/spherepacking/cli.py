@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import signal
 import sys
+from inspect import signature
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal
 
@@ -212,16 +213,26 @@ def render(
     dimensions
         Points of the grid along each axis with metaballs.
     """
+    given = dict(locals())
     from ._offscreen import choose_window
 
     choose_window()
     _load(drawing=True)
 
-    from ._render_options import SCALAR_BAR, check_view, look_of, set_background, set_quality
+    from ._render_options import (
+        SCALAR_BAR,
+        check_technique,
+        check_view,
+        look_of,
+        set_background,
+        set_quality,
+    )
     from ._technique import add_boxes, add_metaballs, light_of, save_path_trace, save_ray_cast
     from ._view import aim, check_extent, fit
     from .image import check_output
 
+    defaults = {name: found.default for name, found in signature(render).parameters.items()}
+    check_technique(given, defaults)
     check_output(output)
     check_view(size, zoom, view_angle, anti_aliasing)
     cast = technique in ("raycast", "pathtrace")

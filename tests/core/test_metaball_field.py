@@ -46,6 +46,12 @@ def clustered(rng, count):
     return packing_of(centers, 0.3 * scale)
 
 
+def shells(rng, count):
+    """Five concentric spheres at each place, places ever nearer to one: leaves of no extent."""
+    places = rng.uniform(-1, 1, (count, 3)) * 10.0 ** rng.uniform(-4, 0, (count, 1))
+    return packing_of(np.repeat(places, 5, axis=0), np.tile(0.002 * np.arange(1.0, 6.0), count))
+
+
 SCENES = {
     "few": lambda rng: spread(rng, 60),
     "spread": lambda rng: spread(rng, 5000),
@@ -59,6 +65,10 @@ SCENES = {
     ),
     "far away": lambda rng: packing_of(1e7 + rng.uniform(-1, 1, (2000, 3)), np.full(2000, 0.05)),
     "coincident": lambda rng: packing_of(np.zeros((500, 3)), np.full(500, 0.1)),
+    "concentric": lambda rng: shells(rng, 600),
+    "a heap among others": lambda rng: packing_of(
+        np.vstack([np.zeros((100, 3)), 0.3 * rng.normal(size=(300, 3))]), np.full(400, 0.1)
+    ),
     "ratio 1e6": lambda rng: packing_of(
         rng.uniform(-1, 1, (2000, 3)), np.where(rng.random(2000) < 0.01, 1.0, 1e-6)
     ),
@@ -95,10 +105,36 @@ def test_the_bound_is_not_met_by_summing_all(kernel, rng):
     assert differences[1] > 1e-5
 
 
+@pytest.mark.parametrize("kernel", ["inverse", "inverse_square"])
+@pytest.mark.parametrize("away", [1e-2, 1e-3, 1e-5])
+def test_near_all_there_is(kernel, away):
+    """What is seen from near, beside its distance from the rest of the scene, is one charge."""
+    packing = packing_of([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 1.0]], [0.2, 0.15, 0.1, 1e-7])
+    for count in (16, 1):
+        low, high = 1.0 + 2.0 * away, 1.0 + (2.0 + count) * away
+        algorithm = filter_of(packing, kernel, (count,) * 3, 2e-5, (low, high) * 3)
+        algorithm.SetNumberOfWeights(4)
+        for i in range(3):
+            algorithm.SetWeight(i, 0.0)
+        algorithm.ComputeGradientOn()
+        algorithm.Update()
+        image = pv.wrap(algorithm.GetOutput())
+        points = np.array(image.origin) + np.array(image.spacing) * np.stack(
+            np.unravel_index(np.arange(image.n_points), image.dimensions, order="F"), -1
+        )
+        expected = direct(packing, points, kernel, np.array([0.0, 0.0, 0.0, 1.0]))
+        np.testing.assert_allclose(image["field"], expected, rtol=3e-5)
+        offset = points - [1.0, 1.0, 1.0]
+        power = -1 if kernel == "inverse" else -2
+        slope = power * expected / (offset**2).sum(axis=1)
+        np.testing.assert_allclose(image["gradient"], slope[:, None] * offset, rtol=1e-4)
+
+
+@pytest.mark.parametrize("scene", ["few", "concentric"])
 @pytest.mark.parametrize("error", [0.0, 1e-3])
 @pytest.mark.parametrize("kernel", KERNELS)
-def test_gradient_is_that_of_the_field(kernel, error, rng):
-    packing = spread(rng, 300)
+def test_gradient_is_that_of_the_field(kernel, error, scene, rng):
+    packing = SCENES[scene](rng)
     algorithm = filter_of(packing, kernel, error=error)
     algorithm.ComputeGradientOn()
     algorithm.Update()
@@ -415,11 +451,23 @@ def test_abort_keeps_the_blocks_that_were_made(rng):
     packing = spread(rng, 5000)
     whole = field_of(packing, dimensions=(128, 128, 128), bounds=(-1, 1) * 3)["field"]
     algorithm = filter_of(packing, dimensions=(128, 128, 128), bounds=(-1, 1) * 3)
-    algorithm.AddObserver("ProgressEvent", lambda caller, _: caller.SetAbortExecute(1))
+    algorithm.AddObserver(
+        "ProgressEvent", lambda caller, _: caller.SetAbortExecute(caller.GetProgress() > 0.0)
+    )
     algorithm.Update()
     found = pv.wrap(algorithm.GetOutput())["field"]
     assert ((found == whole) | (found == 0)).all()
     assert 0 < np.count_nonzero(found) < found.size
+
+
+def test_abort_before_the_first_block(rng):
+    algorithm = filter_of(spread(rng, 5000))
+    algorithm.AddObserver("ProgressEvent", lambda caller, _: caller.SetAbortExecute(1))
+    algorithm.ComputeStrongestOn()
+    algorithm.Update()
+    found = pv.wrap(algorithm.GetOutput())
+    assert not found["field"].any()
+    assert (found["strongest"] == -1).all()
 
 
 def test_progress_grows(rng):

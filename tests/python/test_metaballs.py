@@ -275,6 +275,13 @@ BAD = [
     ({"weights": -1}, ValueError, "weights: found -1"),
     ({"weights": []}, ValueError, "weights: found"),
     ({"weights": "heavy"}, ValueError, "weights: found 'heavy'"),
+    ({"weights": "12"}, ValueError, "weights: found '12'"),
+    ({"weights": True}, ValueError, "weights: found True"),
+    ({"weights": 10**400}, ValueError, "weights: found 1000"),
+    ({"kernel": np.array(["a", "b"])}, ValueError, "kernel: found"),
+    ({"dimensions": ((8,), 8, 8)}, TypeError, "dimensions: found"),
+    ({"dimensions": None, "spacing": "0.1"}, ValueError, "spacing: found '0.1'"),
+    ({"relative_error": False}, ValueError, "relative_error: found False"),
     ({"count": 0}, ValueError, "count: found 0"),
     ({"count": 1.5}, TypeError, "count: found 1.5"),
     ({"relative_error": -1}, ValueError, "relative_error: found -1"),
@@ -399,6 +406,31 @@ def test_weights_reuse_the_fields_of_the_ranges(plotter, packing):
     assert balls.surface.n_points == direct.n_points
     assert np.abs(balls.surface.points - direct.points).max() < 1e-2
     assert np.abs(balls.surface["color"].astype(int) - direct["color"]).mean() < 2
+
+
+def test_weights_that_grow_find_room(plotter, packing):
+    """A grid that a surface grew out of is followed by one with room, and by no waste of sums."""
+    balls = plotter.packing.add_metaballs(packing, 10.0, weights=[1, 1, 1, 1], **WORDS)
+    balls.weights = [1.2, 1.2, 1.2, 1.2]
+    assert balls.sums == 2
+    balls.weights = [1.3, 1.2, 1.2, 1.2]
+    assert balls.sums == 6
+    balls.weights = [1.5, 1.5, 1.5, 1.4]
+    assert balls.sums == 6
+    assert balls.surface.n_open_edges == 0
+    for weights in ([1000] * 4, [1] * 4, [1000] * 4):
+        before = balls.sums
+        balls.weights = weights
+        assert balls.sums == before + 1
+
+
+def test_surfaces_that_no_grid_fits_better(plotter):
+    """A grid for Wyvill's kernel reaches to where it ends, however small the surface is."""
+    balls = plotter.packing.add_metaballs(one_sphere(), 1.7, kernel="wyvill", dimensions=32)
+    for threshold in (1.75, 1.8, 1.75):
+        balls.threshold = threshold
+        assert balls.surface.n_points
+    assert balls.sums == 1
 
 
 def test_weights_after_the_packing_changed(plotter, packing):

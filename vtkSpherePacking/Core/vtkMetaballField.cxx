@@ -37,6 +37,10 @@ namespace
 {
 using Clock = std::chrono::steady_clock;
 
+struct Stopped
+{
+};
+
 double SecondsSince(Clock::time_point start)
 {
   return std::chrono::duration<double>(Clock::now() - start).count();
@@ -215,14 +219,15 @@ int vtkMetaballField::RequestData(
   catch (const std::bad_alloc&)
   {
     output->Initialize();
-    return this->Fail("the field does not fit in the memory that is free");
+    return this->Fail(std::string(this->Spacing[0] > 0.0 ? "spacing" : "dimensions") +
+      ": found a field that does not fit in the memory that is free, expected fewer points");
   }
   return 1;
 }
 
 //------------------------------------------------------------------------------
 FieldScene vtkMetaballField::Prepare(const vtkSpherePackingFieldInput& input, const Box& box,
-  const unsigned char* colors, int channel, int components) const
+  const unsigned char* colors, int channel, int components)
 {
   double all[6];
   for (int axis = 0; axis < 3; ++axis)
@@ -252,28 +257,42 @@ FieldScene vtkMetaballField::Prepare(const vtkSpherePackingFieldInput& input, co
   // The parts of a blend have no gradient.
   const spherepacking::FieldWanted wanted{ !colors && this->ComputeGradient,
     !colors && this->ComputeStrongest };
+  const auto stoppable = [&](std::int64_t count, const std::function<void(std::int64_t)>& work)
+  {
+    this->UpdateProgress(this->GetProgress());
+    if (this->CheckAbort())
+    {
+      throw Stopped();
+    }
+    vtkSpherePackingParallelFor()(count, work);
+  };
   return spherepacking::PrepareField(static_cast<BlobKind>(this->Kernel), std::move(spheres),
-    this->RelativeError, grid, wanted, vtkSpherePackingParallelFor());
+    this->RelativeError, grid, wanted, stoppable);
 }
 
 //------------------------------------------------------------------------------
-bool vtkMetaballField::Run(const FieldScene& scene, double from, double to)
+bool vtkMetaballField::Run(const FieldScene& scene, Blocks blocks, double from, double to)
 {
-  const std::vector<FieldBlock> blocks = spherepacking::CutIntoBlocks(scene);
+  Clock::time_point last = Clock::now();
   bool stopped = false;
   vtkSpherePackingMakePieces(
-    static_cast<std::int64_t>(blocks.size()),
+    blocks.Last - blocks.First,
     [&](std::int64_t i)
     {
-      spherepacking::SumField(scene, blocks[i]);
+      spherepacking::SumField(scene, blocks.First[i]);
       if (scene.Grid.Strongest)
       {
-        spherepacking::FindStrongest(scene, blocks[i]);
+        spherepacking::FindStrongest(scene, blocks.First[i]);
       }
     },
     [&](std::int64_t, double share)
     {
-      this->UpdateProgress(from + (to - from) * share);
+      // Observers may take longer than a block.
+      if (share >= 1.0 || Clock::now() - last > std::chrono::milliseconds(10))
+      {
+        this->UpdateProgress(from + (to - from) * share);
+        last = Clock::now();
+      }
       stopped = stopped || this->CheckAbort();
       return stopped;
     });
@@ -285,8 +304,18 @@ void vtkMetaballField::Make(const vtkSpherePackingFieldInput& input, const Box& 
   vtkUnsignedCharArray* colors, vtkImageData* output)
 {
   const Clock::time_point start = Clock::now();
-  FieldScene scene = this->Prepare(input, box, nullptr, 0, 0);
+  FieldScene scene;
+  bool go = true;
+  try
+  {
+    scene = this->Prepare(input, box, nullptr, 0, 0);
+  }
+  catch (const Stopped&)
+  {
+    go = false;
+  }
   const double build = SecondsSince(start);
+  const auto meshes = static_cast<double>(scene.Mesh ? scene.Mesh->Levels.size() : 0);
   // A blend needs three more fields.
   const double share = colors ? 0.25 : 1.0;
   vtkFloatArray* field = AddArray<vtkFloatArray>(output, "field", 1);
@@ -303,7 +332,11 @@ void vtkMetaballField::Make(const vtkSpherePackingFieldInput& input, const Box& 
     strongest->FillValue(-1);
     scene.Grid.Strongest = strongest->GetPointer(0);
   }
-  bool go = this->Run(scene, 0.0, share);
+  if (go)
+  {
+    const std::vector<FieldBlock> blocks = spherepacking::CutIntoBlocks(scene);
+    go = this->Run(scene, { blocks.data(), blocks.data() + blocks.size() }, 0.0, share);
+  }
   // The spheres were given parts of the largest weight.
   const double unit = input.MostWeight > 0.0 ? input.MostWeight : 1.0;
   MultiplyBy(unit, field);
@@ -315,25 +348,65 @@ void vtkMetaballField::Make(const vtkSpherePackingFieldInput& input, const Box& 
   {
     scene = FieldScene();
     auto* blend = AddArray<vtkUnsignedCharArray>(output, "blend", 3);
-    std::vector<float> part(static_cast<std::size_t>(output->GetNumberOfPoints()));
     for (int channel = 0; go && channel < 3; ++channel)
     {
-      scene =
-        this->Prepare(input, box, colors->GetPointer(0), channel, colors->GetNumberOfComponents());
-      scene.Grid.Field = part.data();
-      go = this->Run(scene, share * (channel + 1), share * (channel + 2));
-      for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
-      {
-        const float whole = field->GetValue(i);
-        const float mean =
-          whole > 0.0f ? std::min(1.0f, static_cast<float>(part[i] * unit / whole)) : 0.0f;
-        blend->SetTypedComponent(i, channel, static_cast<unsigned char>(255.0f * mean + 0.5f));
-      }
+      go = this->Blend(input, box, colors, channel, field, blend);
     }
   }
   output->GetPointData()->SetActiveScalars("field");
+  vtkSpherePackingAddField(output, "meshes", { meshes });
   vtkSpherePackingAddField(output, "build_seconds", { build });
   vtkSpherePackingAddField(output, "sum_seconds", { SecondsSince(start) - build });
+}
+
+//------------------------------------------------------------------------------
+bool vtkMetaballField::Blend(const vtkSpherePackingFieldInput& input, const Box& box,
+  vtkUnsignedCharArray* colors, int channel, vtkFloatArray* field, vtkUnsignedCharArray* blend)
+{
+  // Enough for all cores; the parts that are not yet mixed are kept for so many alone.
+  constexpr std::ptrdiff_t together = 16;
+  FieldScene scene;
+  try
+  {
+    scene =
+      this->Prepare(input, box, colors->GetPointer(0), channel, colors->GetNumberOfComponents());
+  }
+  catch (const Stopped&)
+  {
+    return false;
+  }
+  const std::vector<FieldBlock> blocks = spherepacking::CutIntoBlocks(scene);
+  const double unit = input.MostWeight > 0.0 ? input.MostWeight : 1.0;
+  const double share = 0.25 / static_cast<double>(blocks.size());
+  const FieldBlock* const end = blocks.data() + blocks.size();
+  std::vector<float> part;
+  bool go = true;
+  for (const FieldBlock* first = blocks.data(); go && first < end;)
+  {
+    const FieldBlock* last = first;
+    while (last < end && (last - first < together || last->First[2] == last[-1].First[2]))
+    {
+      ++last; // whole layers of blocks
+    }
+    spherepacking::FieldGrid& grid = scene.Grid;
+    grid.FirstPlace = 0;
+    const std::int64_t low = grid.Place(0, 0, first->First[2]);
+    const std::int64_t high = grid.Place(0, 0, last[-1].First[2] + last[-1].Count[2]);
+    part.resize(static_cast<std::size_t>(high - low));
+    grid.Field = part.data();
+    grid.FirstPlace = low;
+    const double from = 0.25 * (channel + 1) + share * static_cast<double>(first - blocks.data());
+    go = this->Run(scene, { first, last }, from, from + share * static_cast<double>(last - first));
+    for (std::int64_t i = low; i < high; ++i)
+    {
+      const float whole = field->GetValue(i);
+      const float mean =
+        whole > 0.0f ? std::min(1.0f, static_cast<float>(part[i - low] * unit / whole)) : 0.0f;
+      blend->SetTypedComponent(i, channel, static_cast<unsigned char>(255.0f * mean + 0.5f));
+    }
+    first = last;
+  }
+  return go;
 }
 
 //------------------------------------------------------------------------------

@@ -22,15 +22,16 @@
  * The error of the field is at most RelativeError times the field; with GAUSSIAN and WYVILL 10^-6
  * times the largest weight is added to that. The sums of INVERSE and INVERSE_SQUARE go through a
  * tree of charges whose far parts are expanded (see metaballs/TruncationError.h for the proof), or,
- * if the error may be 10^-3 and no gradient is wanted, through meshes (metaballs/GaussianSum.h),
- * where these are small beside the spheres, and the steps of the grid differ by less than two.
- * Nothing is cut off. Where the error allows it, from 3.8e-4 on, near spheres are added with the
- * processor's own estimate of a root, which differs between makes; gradients are not.
+ * if the error may be 10^-3 and neither gradient nor strongest is wanted, through meshes
+ * (metaballs/GaussianSum.h), where these are small beside the spheres, and the steps of the grid
+ * differ by less than two. Nothing is cut off. Where the error allows it, from 3.8e-4 on, near
+ * spheres are added with the processor's own estimate of a root, which differs between makes;
+ * gradients are not.
  *
- * Work is done on all cores through vtkSMPTools, in blocks of the grid. A progress event follows
- * each block, in the thread that called Update(); an observer may call SetAbortExecute(), then no
- * block is begun any more, and those that were not made are 0. Field arrays: `build_seconds` and
- * `sum_seconds`.
+ * Work is done on all cores through vtkSMPTools, in blocks of the grid. Progress events come
+ * between blocks, in the thread that called Update(); an observer may call SetAbortExecute(), then
+ * no block is begun any more, and those that were not made are 0. Field arrays: `build_seconds`,
+ * `sum_seconds`, and `meshes`, how many the field went through, 0 if it did through the tree.
  *
  * An error leaves an empty output, is reported through vtkErrorMacro and sets GetErrorCode().
  * GetErrorMessage() is the sentence.
@@ -48,12 +49,14 @@
 #include <vector> // for weights
 
 class vtkDataArray;
+class vtkFloatArray;
 class vtkPolyData;
 class vtkSpherePackingFieldInput;
 class vtkUnsignedCharArray;
 
 namespace spherepacking
 {
+struct FieldBlock;
 struct FieldScene;
 }
 
@@ -186,12 +189,20 @@ private:
 
   // The spheres, with one channel of their colours as a further weight if there are any.
   spherepacking::FieldScene Prepare(const vtkSpherePackingFieldInput& input, const Box& box,
-    const unsigned char* colors, int channel, int components) const;
+    const unsigned char* colors, int channel, int components);
+
+  struct Blocks
+  {
+    const spherepacking::FieldBlock* First;
+    const spherepacking::FieldBlock* Last; // one past
+  };
 
   // Whether all blocks were made.
-  bool Run(const spherepacking::FieldScene& scene, double from, double to);
+  bool Run(const spherepacking::FieldScene& scene, Blocks blocks, double from, double to);
   void Make(const vtkSpherePackingFieldInput& input, const Box& box, vtkUnsignedCharArray* colors,
     vtkImageData* output);
+  bool Blend(const vtkSpherePackingFieldInput& input, const Box& box, vtkUnsignedCharArray* colors,
+    int channel, vtkFloatArray* field, vtkUnsignedCharArray* blend);
 
   std::unique_ptr<BoxKept> Kept;
   int Kernel = INVERSE;

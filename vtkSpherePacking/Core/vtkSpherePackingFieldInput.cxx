@@ -29,8 +29,12 @@ vtkSpherePackingFieldInput::vtkSpherePackingFieldInput(
   {
     this->Ranks.resize(this->Number);
     std::iota(this->Ranks.begin(), this->Ranks.end(), 0);
-    std::stable_sort(this->Ranks.begin(), this->Ranks.end(),
-      [&](vtkIdType one, vtkIdType other) { return spheres[one].R > spheres[other].R; });
+    std::sort(this->Ranks.begin(), this->Ranks.end(),
+      [&](std::int32_t one, std::int32_t other)
+      {
+        const double both[2] = { spheres[one].R, spheres[other].R };
+        return both[0] != both[1] ? both[0] > both[1] : one < other;
+      });
     if (count > 0 && count < this->Number)
     {
       this->Number = count;

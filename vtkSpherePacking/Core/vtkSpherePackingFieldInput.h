@@ -37,7 +37,7 @@ private:
   vtkPolyData* Packing;
   vtkDataArray* Radii;
   std::vector<double> Weights;
-  std::vector<vtkIdType> Ranks; // from large to small; empty if all have one weight
+  std::vector<std::int32_t> Ranks; // from large to small; empty if all have one weight
   vtkIdType Number = 0;
 };
 VTK_ABI_NAMESPACE_END

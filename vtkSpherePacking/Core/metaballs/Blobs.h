@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// What one sphere adds to the field at a distance d: the kernels.
 ///
-/// All are 1 on the surface of a sphere of weight 1. Strength and shape are what a kernel keeps of
-/// the weight w and the radius r; the strength is the weight where nothing else is said. Value()
-/// takes the square of the distance; Slope() is the derivative by the distance, divided by the
-/// distance.
+/// All are 1 on the surface of a sphere of weight 1. Rank() grows with Value(), but does not become
+/// zero where that is too small for a double; where it is not above LeastRank, Value() is 0.
+/// Strength and shape are what a kernel keeps of the weight w and the radius r; the strength is the
+/// weight where nothing else is said. Value() takes the square of the distance; Slope() is the
+/// derivative by the distance, divided by the distance.
 #ifndef Blobs_h
 #define Blobs_h
 
@@ -95,10 +96,17 @@ struct InverseBlob
   }
   static double Shape(double radius) { return std::max(Core * radius * Core * radius, 1e-36); }
 
-  /// What spheres of at most this strength and radius add at a distance.
-  static double Most(double distance, double strength, double)
+  static constexpr double LeastRank = 0.0;
+  static double Rank(double square, double strength, double shape)
   {
-    return Value(distance * distance, strength, 1e-36);
+    return Value(square, strength, shape);
+  }
+  /// A little less, for rounding.
+  static double Below(double rank) { return 0.999999 * rank; }
+  /// Of spheres of at most this strength and radius at a distance.
+  static double MostRank(double distance, double strength, double)
+  {
+    return Rank(distance * distance, strength, 1e-36);
   }
 
   /// Long-range kernels are not cut off.
@@ -135,9 +143,15 @@ struct GaussianBlob
   static constexpr bool HasEstimate = false;
 
   static double Shape(double radius) { return std::min(1.0 / (radius * radius), 1e36); }
-  static double Most(double distance, double strength, double radius)
+  static constexpr double LeastRank = -746.0;
+  static double Rank(double square, double strength, double shape)
   {
-    return Value(distance * distance, strength, Shape(radius));
+    return std::log(strength) + 2.0 - 2.0 * (square * shape);
+  }
+  static double Below(double rank) { return rank - 1e-6; }
+  static double MostRank(double distance, double strength, double radius)
+  {
+    return Rank(distance * distance, strength, Shape(radius));
   }
 
   /// The distance from which on a sphere adds less than `least`.
@@ -169,9 +183,15 @@ struct WyvillBlob
   static constexpr bool HasEstimate = false;
 
   static double Shape(double radius) { return std::min(0.25 / (radius * radius), 1e36); }
-  static double Most(double distance, double strength, double radius)
+  static constexpr double LeastRank = 0.0;
+  static double Rank(double square, double strength, double shape)
   {
-    return Value(distance * distance, strength, Shape(radius));
+    return Value(square, strength, shape);
+  }
+  static double Below(double rank) { return 0.999999 * rank; }
+  static double MostRank(double distance, double strength, double radius)
+  {
+    return Rank(distance * distance, strength, Shape(radius));
   }
   static double Reach(double, double radius, double) { return 2.0 * radius; }
 

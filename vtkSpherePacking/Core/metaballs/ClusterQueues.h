@@ -35,8 +35,7 @@ public:
     queue.Y[lane] = static_cast<float>(away[1] * inverseDistance);
     queue.Z[lane] = static_cast<float>(away[2] * inverseDistance);
     queue.InverseDistance[lane] = static_cast<float>(inverseDistance);
-    queue.Shrink[lane] =
-      static_cast<float>(UnitOf(this->Scene.Tree.Nodes[node].Radius) * inverseDistance);
+    queue.Shrink[lane] = static_cast<float>(this->Scene.Tree.Nodes[node].Radius * inverseDistance);
     if (queue.Count == 8)
     {
       this->Translate(order);

@@ -15,7 +15,8 @@ struct FieldGrid
   double Origin[3];
   double Spacing[3]; ///< above 0
   std::int64_t Dimensions[3];
-  double Scale = 1.0; ///< a length here over the same in the packing's unit
+  double Scale = 1.0;          ///< a length here over the same in the packing's unit
+  std::int64_t FirstPlace = 0; ///< of the arrays
   float* Field = nullptr;
   float* Gradient = nullptr;      ///< three a place, or null
   long long* Strongest = nullptr; ///< id of the sphere that adds most, or null
@@ -26,7 +27,7 @@ struct FieldGrid
   }
   SPHEREPACKING_INLINE std::int64_t Place(std::int64_t x, std::int64_t y, std::int64_t z) const
   {
-    return x + this->Dimensions[0] * (y + this->Dimensions[1] * z);
+    return x + this->Dimensions[0] * (y + this->Dimensions[1] * z) - this->FirstPlace;
   }
 };
 

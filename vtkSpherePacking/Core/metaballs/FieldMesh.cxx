@@ -23,9 +23,11 @@ namespace
 constexpr double CutOff = 11.0;
 // A term is one of those that become one where it falls by no more than this at the largest
 // distance, see GaussianSum::Rest.
-constexpr double Flat = 0.25;
-// Meshes become coarser until they are so small or no longer much smaller.
+constexpr double Flat = 0.2;
+// Meshes become coarser until they are so small or no longer smaller than this part of the one
+// before; those of a long and thin grid are about half of it.
 constexpr std::int64_t SmallMesh = 4096;
+constexpr double Smaller = 0.8;
 
 void Spread(FieldMesh& mesh, int y, int z)
 {
@@ -272,7 +274,7 @@ private:
     }
     const std::int64_t before = fine.Charges.Rows.Box.Nodes() + fine.Field.Rows.Box.Nodes();
     const std::int64_t after = coarse.Charges.Rows.Box.Nodes() + coarse.Field.Rows.Box.Nodes();
-    if (level > 1 && (before < SmallMesh || 2 * after > before))
+    if (level > 1 && (before < SmallMesh || after > Smaller * before))
     {
       return false;
     }
@@ -363,7 +365,7 @@ bool IsForMesh(const std::vector<Charge>& charges, const FieldGrid& grid, int po
   const std::int64_t fewest = *std::min_element(grid.Dimensions, grid.Dimensions + 3);
   // More charges in one place would lose too many digits, see AddInParts.
   constexpr std::size_t most = 4000000;
-  if (charges.empty() || charges.size() > most || fewest < 8 || !(largest <= 2.0 * smallest))
+  if (charges.empty() || charges.size() > most || fewest < 12 || !(largest <= 2.0 * smallest))
   {
     return false;
   }

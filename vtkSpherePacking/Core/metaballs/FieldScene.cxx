@@ -37,6 +37,39 @@ constexpr double Rounding = 1e-5;
 // (1 + sqrt(2))^n t^n, and t^(p + 1) is about the error, so 2^-24 of them is below a tenth of it.
 constexpr double Truncation = 0.9;
 constexpr int Leaf = 32;
+
+struct BlockSides
+{
+  std::int64_t Length[3]; // in places
+
+  std::int64_t Blocks(const FieldGrid& grid) const
+  {
+    std::int64_t blocks = 1;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      blocks *= (grid.Dimensions[axis] + this->Length[axis] - 1) / this->Length[axis];
+    }
+    return blocks;
+  }
+};
+
+// Of cubes, or where the grid is thinner than these of longer blocks with as many places.
+BlockSides SidesOf(const FieldGrid& grid, std::int64_t side)
+{
+  constexpr double longest = 512.0; // see LocalGrid
+  int axes[3] = { 0, 1, 2 };
+  std::sort(axes, axes + 3, [&](int a, int b) { return grid.Dimensions[a] < grid.Dimensions[b]; });
+  BlockSides sides;
+  auto places = static_cast<double>(side * side * side);
+  for (int i = 0; i < 3; ++i)
+  {
+    const double length = std::min(std::pow(places, 1.0 / (3 - i)), longest);
+    const auto whole = static_cast<std::int64_t>(8.0 * std::max(std::round(length / 8.0), 1.0));
+    sides.Length[axes[i]] = whole;
+    places /= static_cast<double>(std::min(whole, grid.Dimensions[axes[i]]));
+  }
+  return sides;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -57,13 +90,10 @@ FieldScene PrepareField(BlobKind kind, std::vector<Charge>&& spheres, double rel
     charges.end());
   const bool expanded = kind == BlobKind::Inverse || kind == BlobKind::InverseSquare;
   const int power = kind == BlobKind::Inverse ? 1 : 2;
-  if (expanded && !wanted.Gradient && relativeError >= GaussianSumError &&
+  // The strongest are found through the tree.
+  if (expanded && !wanted.Gradient && !wanted.Strongest && relativeError >= GaussianSumError &&
     IsForMesh(charges, grid, power))
   {
-    if (wanted.Strongest)
-    {
-      scene.Tree = BuildChargeTree(std::vector<Charge>(charges), Leaf, parallelFor);
-    }
     scene.Mesh = BuildFieldMesh(std::move(charges), grid, power, parallelFor);
     return scene;
   }
@@ -94,42 +124,30 @@ FieldScene PrepareField(BlobKind kind, std::vector<Charge>&& spheres, double rel
 std::vector<FieldBlock> CutIntoBlocks(const FieldScene& scene)
 {
   const FieldGrid& grid = scene.Grid;
-  const auto count = [&](std::int64_t side)
+  // Long rows are summed fastest, and least is done for the nodes about a block.
+  BlockSides sides{ { 1024, 32, 8 } };
+  if (!scene.Mesh)
   {
-    std::int64_t blocks = 1;
-    for (const std::int64_t places : grid.Dimensions)
+    constexpr std::int64_t enough = 64; // for all cores
+    std::int64_t side = 32;
+    do
     {
-      blocks *= (places + side - 1) / side;
-    }
-    return blocks;
-  };
-  std::int64_t sides[3] = { 32, 32, 32 };
-  if (scene.Mesh)
-  {
-    // Long rows are summed fastest, and least is done for the nodes about a block.
-    sides[0] = 1024;
-    sides[1] = 32;
-    sides[2] = 8;
-  }
-  else
-  {
-    while (sides[0] > 8 && count(sides[0]) < 64)
-    {
-      std::fill_n(sides, 3, sides[0] / 2);
-    }
+      sides = SidesOf(grid, side);
+      side /= 2;
+    } while (side >= 8 && sides.Blocks(grid) < enough);
   }
   std::vector<FieldBlock> blocks;
-  for (std::int64_t z = 0; z < grid.Dimensions[2]; z += sides[2])
+  for (std::int64_t z = 0; z < grid.Dimensions[2]; z += sides.Length[2])
   {
-    for (std::int64_t y = 0; y < grid.Dimensions[1]; y += sides[1])
+    for (std::int64_t y = 0; y < grid.Dimensions[1]; y += sides.Length[1])
     {
-      for (std::int64_t x = 0; x < grid.Dimensions[0]; x += sides[0])
+      for (std::int64_t x = 0; x < grid.Dimensions[0]; x += sides.Length[0])
       {
         FieldBlock block{ { x, y, z }, {} };
         for (int axis = 0; axis < 3; ++axis)
         {
           block.Count[axis] = static_cast<int>(
-            std::min<std::int64_t>(sides[axis], grid.Dimensions[axis] - block.First[axis]));
+            std::min<std::int64_t>(sides.Length[axis], grid.Dimensions[axis] - block.First[axis]));
         }
         blocks.push_back(block);
       }

@@ -43,7 +43,8 @@ private:
   {
     LocalExpansion local;
     const double radius = this->BallOf(block, local.Center);
-    local.Unit = UnitOf(radius);
+    // Of a single place no derivatives above the first matter: they vanish in this unit.
+    local.Unit = radius > 0.0 ? radius : 1e-20;
     ClusterQueues<Power> queues(this->Scene, local.Unit);
     Nodes near;
     this->Open = nodes;

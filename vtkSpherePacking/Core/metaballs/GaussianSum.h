@@ -30,8 +30,10 @@
 /// 0.17 of d^-1 (0.26 of d^-2) at any d. Gaussians are cut off, 4 h away where charges are spread
 /// and sqrt(22) standard deviations away elsewhere: of a term at the distance d that loses what the
 /// product of the two Gaussians, whose middle is between, has beyond, most where the term is nearly
-/// nothing. All this together is at most 7e-4 of d^-v at any d; tests/core/test_gaussian_sum.py
-/// adds it up. Sums in single precision, see AddInParts, are wrong by 2.5e-4 at most.
+/// nothing. Terms that hardly fall within a scene become one on its last mesh, and the smooth terms
+/// within Reach a polynomial. All this together is at most 7e-4 of d^-v at any d;
+/// tests/core/test_gaussian_sum.py adds it up. Sums in single precision, see AddInParts, are wrong
+/// by 2.5e-4 at most.
 ///
 /// Sources: Beylkin and Monzon, "Approximation by exponential sums revisited" (2010), for the sum;
 /// Greengard and Lee, "Accelerating the nonuniform fast Fourier transform" (2004), for Gaussians as

@@ -140,7 +140,7 @@ inline void MomentsOfLeaf(
 {
   MonomialSums sums(index);
   double totals[MostKept] = {};
-  const double scale = -1.0 / UnitOf(node.Radius);
+  const double scale = node.Radius > 0.0 ? -1.0 / node.Radius : 0.0;
   for (std::int32_t first = 0; first < node.Count; first += 8)
   {
     Float8 place[3] = {};

@@ -11,7 +11,8 @@
 namespace spherepacking
 {
 /// Of each node, sum over its charges of strength (-y)^m / m!, where y is the charge's place from
-/// the node's centre over the node's radius (over 1 if that is 0).
+/// the node's centre over the node's radius. Charges at one place, a node of radius 0, have none
+/// but the first.
 struct ClusterMoments
 {
   MultiIndex Kept{ 0, 0 };
@@ -30,12 +31,6 @@ struct ClusterMoments
 
 ClusterMoments ComputeMoments(
   const ChargeTree& tree, const MultiIndex& kept, const ParallelFor& parallelFor);
-
-/// The length that the monomials of a ball are divided by.
-SPHEREPACKING_INLINE double UnitOf(double radius)
-{
-  return radius > 0.0 ? radius : 1.0;
-}
 }
 
 #endif

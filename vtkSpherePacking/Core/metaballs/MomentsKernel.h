@@ -25,12 +25,12 @@ inline void MomentsOfChildren(
     {
       const ChargeNode& whole = tree.Nodes[nodes[std::min(lane, count - 1)]];
       const ChargeNode& part = tree.Nodes[whole.Child + child];
-      const double scale = 1.0 / UnitOf(whole.Radius);
+      const double scale = whole.Radius > 0.0 ? 1.0 / whole.Radius : 0.0;
       for (int axis = 0; axis < 3; ++axis)
       {
         away[axis][lane] = static_cast<float>(scale * (whole.Center[axis] - part.Center[axis]));
       }
-      shrink[lane] = static_cast<float>(scale * UnitOf(part.Radius));
+      shrink[lane] = static_cast<float>(scale * part.Radius);
       from[lane] = moments[whole.Child + child];
     }
     Float8 shrinks[MostOrder + 1];

@@ -26,16 +26,65 @@ public:
   }
 
 private:
+  using Charges = LocalVector<const Charge*>;
+
   void RunPart(const FieldBlock& part)
+  {
+    this->SetSides(part);
+    this->Bound();
+    if (!this->Collect(part.Places() > 1))
+    {
+      FieldBlock halves[2];
+      CutInHalves(part, halves);
+      this->RunPart(halves[0]);
+      this->RunPart(halves[1]);
+      return;
+    }
+    this->Search(part, 0);
+  }
+
+  static void CutInHalves(const FieldBlock& part, FieldBlock (&halves)[2])
+  {
+    const int* count = part.Count;
+    const int axis = count[2] >= count[1] && count[2] >= count[0] ? 2 : count[1] >= count[0];
+    halves[0] = halves[1] = part;
+    halves[0].Count[axis] = count[axis] / 2;
+    halves[1].First[axis] += halves[0].Count[axis];
+    halves[1].Count[axis] -= halves[0].Count[axis];
+  }
+
+  void SetSides(const FieldBlock& part)
   {
     for (int axis = 0; axis < 3; ++axis)
     {
       this->Low[axis] = this->Scene.Grid.At(axis, part.First[axis]);
       this->High[axis] = this->Scene.Grid.At(axis, part.First[axis] + part.Count[axis] - 1);
     }
-    this->Bound();
-    this->Collect();
-    this->LeaveOutCovered();
+  }
+
+  // Looks at the charges that are left, or first leaves out those that are surpassed everywhere in
+  // either half.
+  void Search(const FieldBlock& part, int depth)
+  {
+    constexpr std::size_t few = 4;
+    if (part.Places() == 1 || this->Some[depth].size() <= few)
+    {
+      this->Write(part, this->Some[depth]);
+      return;
+    }
+    FieldBlock halves[2];
+    CutInHalves(part, halves);
+    for (const FieldBlock& half : halves)
+    {
+      this->SetSides(half);
+      this->LeaveOutSurpassed(this->Some[depth], this->Some[depth + 1]);
+      this->Search(half, depth + 1);
+    }
+  }
+
+  void Write(const FieldBlock& part, const Charges& charges)
+  {
+    const FieldGrid& grid = this->Scene.Grid;
     for (int z = 0; z < part.Count[2]; ++z)
     {
       for (int y = 0; y < part.Count[1]; ++y)
@@ -43,7 +92,7 @@ private:
         for (int x = 0; x < part.Count[0]; ++x)
         {
           const std::int64_t at[3] = { part.First[0] + x, part.First[1] + y, part.First[2] + z };
-          this->Scene.Grid.Strongest[this->Scene.Grid.Place(at[0], at[1], at[2])] = this->At(at);
+          grid.Strongest[grid.Place(at[0], at[1], at[2])] = this->At(charges, at);
         }
       }
     }
@@ -70,20 +119,57 @@ private:
     double farthest;
     this->Distances(node.Center, nearest, farthest);
     const double distance = std::max(0.0, std::sqrt(nearest) - node.Radius);
-    // A little less than that, for rounding.
-    return Blob::Most(0.999999 * distance, node.MostStrength, node.MostRadius);
+    return Blob::MostRank(0.999999 * distance, node.MostStrength, node.MostRadius);
   }
 
-  // Sets `Least` to what some charge adds at every place of the part.
+  // Ranks of what a charge adds in the part, at least and at most.
+  void Range(const Charge& charge, double& least, double& most) const
+  {
+    double nearest;
+    double farthest;
+    this->Distances(charge.X, nearest, farthest);
+    const auto strength = static_cast<double>(charge.Strength);
+    least = Blob::Rank(farthest, strength, Blob::Shape(charge.Radius));
+    most = Blob::Rank(nearest, strength, Blob::Shape(charge.Radius));
+  }
+
+  void LeaveOutSurpassed(const Charges& from, Charges& to)
+  {
+    this->Mosts.clear();
+    this->Least = Blob::LeastRank;
+    for (const Charge* charge : from)
+    {
+      double least;
+      double most;
+      this->Range(*charge, least, most);
+      this->Least = std::max(this->Least, least);
+      this->Mosts.push_back(most);
+    }
+    this->LowerLeast();
+    to.clear();
+    for (std::size_t i = 0; i < from.size(); ++i)
+    {
+      if (this->MayWin(this->Mosts[i]))
+      {
+        to.push_back(from[i]);
+      }
+    }
+  }
+
+  bool MayWin(double rank) const { return rank > Blob::LeastRank && rank >= this->Least; }
+
+  void LowerLeast() { this->Least = std::max(Blob::Below(this->Least), Blob::LeastRank); }
+
+  // Sets `Least`.
   void Bound()
   {
-    this->Least = 0.0;
+    this->Least = Blob::LeastRank;
     this->Open.assign(1, 0);
     while (!this->Open.empty())
     {
       const ChargeNode& node = this->Scene.Tree.Nodes[this->Open.back()];
       this->Open.pop_back();
-      if (this->MostOf(node) < this->Least)
+      if (!this->MayWin(this->MostOf(node)))
       {
         continue;
       }
@@ -100,26 +186,26 @@ private:
       for (std::int32_t i = node.First; i < node.First + node.Count; ++i)
       {
         const Charge& charge = this->Scene.Tree.Charges[i];
-        double nearest;
-        double farthest;
-        this->Distances(charge.X, nearest, farthest);
-        this->Least = std::max(this->Least,
-          Blob::Value(farthest, static_cast<double>(charge.Strength), Blob::Shape(charge.Radius)));
+        double least;
+        double most;
+        this->Range(charge, least, most);
+        this->Least = std::max(this->Least, least);
       }
     }
-    this->Least *= 0.999999;
+    this->LowerLeast();
   }
 
-  // Puts those that may be the strongest somewhere into `Some`.
-  void Collect()
+  // Puts those that may be the strongest somewhere into the first of `Some`; false if that ended
+  // because there are too many.
+  bool Collect(bool mayEnd)
   {
-    this->Some.clear();
+    this->Some[0].clear();
     this->Open.assign(1, 0);
     while (!this->Open.empty())
     {
       const ChargeNode& node = this->Scene.Tree.Nodes[this->Open.back()];
       this->Open.pop_back();
-      if (this->MostOf(node) < this->Least)
+      if (!this->MayWin(this->MostOf(node)))
       {
         continue;
       }
@@ -132,17 +218,25 @@ private:
       for (std::int32_t i = node.First; i < node.First + node.Count; ++i)
       {
         const Charge& charge = this->Scene.Tree.Charges[i];
-        double nearest;
-        double farthest;
-        this->Distances(charge.X, nearest, farthest);
-        const double most =
-          Blob::Value(nearest, static_cast<double>(charge.Strength), Blob::Shape(charge.Radius));
-        if (most > 0.0 && most >= this->Least)
+        double least;
+        double greatest;
+        this->Range(charge, least, greatest);
+        if (this->MayWin(greatest))
         {
-          this->Some.push_back(&charge);
+          this->Some[0].push_back(&charge);
+        }
+      }
+      if (mayEnd && this->Some[0].size() > Many)
+      {
+        this->LeaveOutCovered();
+        if (this->Some[0].size() > Many / 2)
+        {
+          return false;
         }
       }
     }
+    this->LeaveOutCovered();
+    return true;
   }
 
   // Of charges at one place, those that another one surpasses everywhere.
@@ -163,27 +257,28 @@ private:
       }
       return one->Radius != other->Radius ? one->Radius > other->Radius : one->Id < other->Id;
     };
-    std::sort(this->Some.begin(), this->Some.end(), before);
+    Charges& some = this->Some[0];
+    std::sort(some.begin(), some.end(), before);
     std::size_t kept = 0;
     float radius = 0.0f;
-    for (std::size_t i = 0; i < this->Some.size(); ++i)
+    for (std::size_t i = 0; i < some.size(); ++i)
     {
-      const Charge* charge = this->Some[i];
-      const bool first = i == 0 || !std::equal(charge->X, charge->X + 3, this->Some[i - 1]->X);
+      const Charge* charge = some[i];
+      const bool first = i == 0 || !std::equal(charge->X, charge->X + 3, some[i - 1]->X);
       if (first || charge->Radius > radius)
       {
         radius = charge->Radius;
-        this->Some[kept++] = charge;
+        some[kept++] = charge;
       }
     }
-    this->Some.resize(kept);
+    some.resize(kept);
   }
 
-  std::int64_t At(const std::int64_t (&place)[3]) const
+  std::int64_t At(const Charges& charges, const std::int64_t (&place)[3]) const
   {
     double best = 0.0;
     std::int64_t id = -1;
-    for (const Charge* charge : this->Some)
+    for (const Charge* charge : charges)
     {
       double square = 0.0;
       for (int axis = 0; axis < 3; ++axis)
@@ -202,12 +297,16 @@ private:
     return id;
   }
 
+  static constexpr std::size_t Many = 2000;
+  static constexpr int MostDepth = 9; // of a part of 8 x 8 x 8 places
+
   const FieldScene& Scene;
   double Low[3];
   double High[3];
-  double Least = 0.0;
+  double Least = 0.0; ///< rank of what some charge adds at every place of the part
   LocalVector<std::int32_t> Open;
-  LocalVector<const Charge*> Some;
+  LocalVector<double> Mosts;
+  Charges Some[MostDepth + 1]; ///< that may be the strongest somewhere in the part, by its depth
 };
 }
 }
