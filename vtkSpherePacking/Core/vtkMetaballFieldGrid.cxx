@@ -95,7 +95,10 @@ void vtkMetaballField::CheckSize(const Box& box) const
 {
   const double bytes = 4.0 + 12.0 * this->ComputeGradient + 8.0 * this->ComputeStrongest +
     7.0 * !this->ColorArrayName.empty();
-  if (box.Points() * bytes > vtkSpherePackingHalfOfMemory())
+  // Images have the coordinates along each axis, and there are three of them on the way.
+  const double axes =
+    24.0 * (static_cast<double>(box.Dimensions[0]) + box.Dimensions[1] + box.Dimensions[2]);
+  if (box.Points() * bytes + axes > vtkSpherePackingHalfOfMemory())
   {
     const bool spaced = this->Spacing[0] > 0.0;
     throw std::invalid_argument(std::string(spaced ? "spacing" : "dimensions") + ": found " +
