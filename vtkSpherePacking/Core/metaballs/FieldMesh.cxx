@@ -27,7 +27,7 @@ constexpr double Flat = 0.2;
 // Meshes become coarser until they are so small or no longer smaller than this part of the one
 // before; those of a long and thin grid are about half of it.
 constexpr std::int64_t SmallMesh = 4096;
-constexpr double Smaller = 0.8;
+constexpr double Smaller = 0.7;
 
 void Spread(FieldMesh& mesh, int y, int z)
 {
