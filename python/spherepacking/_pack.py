@@ -35,7 +35,8 @@ def pack(
     mesh : pyvista.PolyData
         Closed surface, of any polygons, in any unit.
     count : int
-        How many spheres at most, from 1 on.
+        How many spheres at most, from 1 on. There are fewer if the search ends without finding
+        more, as in sheets thinner than a millionth of the surface's size.
     seed : int, default: 0
         Another number from 0 on gives another packing; the same one always the same packing.
     min_radius : float, optional
@@ -101,18 +102,19 @@ def pack(
         part = arguments.above_zero("fraction", fraction)
         packer.SetVolumeFraction(arguments.number_of("fraction", part, 0.0, 1.0))
     delay = 0.0 if arguments.flag_of("progress_bar", progress_bar) else np.inf
+    stopped = False
     try:
         with show_progress(packer, "packing", delay):
             packer.Update()
     except KeyboardInterrupt:
-        if not packer.GetInterrupted():
+        # It may come when all are there.
+        stopped = True
+        if not packer.GetOutput().GetNumberOfPoints():
             raise
     if packer.GetErrorMessage():
         raise ValueError(packer.GetErrorMessage())
     packing = pv.wrap(packer.GetOutput())
-    if packer.GetInterrupted():
-        if not packing.n_points:
-            raise KeyboardInterrupt
+    if stopped:
         warnings.warn(f"stopped after {packing.n_points} of {count} spheres", stacklevel=2)
     return packing
 

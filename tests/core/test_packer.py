@@ -211,6 +211,25 @@ def test_a_triangle_twice_beside_a_wall():
     assert packing.field_data["surface_volume"][0] == pytest.approx(2.0)
 
 
+@pytest.mark.parametrize("turned", ["the same way", "at random"])
+def test_a_sheet_inside_each_triangle_twice(rng, turned):
+    """It bounds nothing, but spheres do not cross it, and volume and inside are the cube's."""
+    cube = pv.Cube().triangulate().clean()
+    sheet = pv.Plane(i_size=0.8, j_size=0.8, i_resolution=8, j_resolution=8).triangulate().clean()
+    sheet = sheet.translate((0.0, 0.0, 0.1))
+    faces = np.tile(sheet.faces.reshape(-1, 4)[:, 1:], (2, 1))
+    if turned == "at random":
+        back = rng.random(len(faces)) < 0.5
+        faces[back] = faces[back][:, ::-1]
+    both = surface_of(
+        np.vstack([cube.points, sheet.points]),
+        np.vstack([cube.faces.reshape(-1, 4)[:, 1:], faces + cube.n_points]),
+    )
+    packing = pack(both, 200)
+    assert packing.field_data["surface_volume"][0] == pytest.approx(1.0)
+    check_packing(packing, together(cube, sheet), rng, inside=lambda points: np.abs(points) < 0.5)
+
+
 def test_many_shells_that_overlap(rng):
     centers = rng.normal(size=(100, 3)) * 0.3
     mesh = together(*[ball(1.0, center, 2) for center in centers])

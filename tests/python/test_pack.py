@@ -80,6 +80,17 @@ def test_bad_arguments(words, error, message):
         spherepacking.pack(arguments.pop("mesh"), arguments.pop("count"), **arguments)
 
 
+def test_ctrl_c_when_all_are_there(monkeypatch):
+    @contextlib.contextmanager
+    def stopped(*_):
+        yield
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("spherepacking._pack.show_progress", stopped)
+    with pytest.warns(UserWarning, match="stopped after 20 of 20 spheres"):
+        assert spherepacking.pack(pv.Cube(), 20).n_points == 20
+
+
 # --- the command ------------------------------------------------------------------------------
 
 

@@ -345,10 +345,9 @@ bool LiesWithin(const SurfaceMesh& mesh, const Ids& shell, const TriangleTree& o
   }
   return any;
 }
-}
 
-//------------------------------------------------------------------------------
-bool OrientShells(SurfaceMesh& mesh, const std::function<bool()>& goOn)
+// Of surfaces without walls.
+bool OrientSingle(SurfaceMesh& mesh, const std::function<bool()>& goOn)
 {
   const std::vector<Ids> shells = OrientEachShell(mesh, goOn);
   std::vector<MeshBox> boxes;
@@ -385,5 +384,25 @@ bool OrientShells(SurfaceMesh& mesh, const std::function<bool()>& goOn)
     }
   }
   return !shells.empty();
+}
+}
+
+//------------------------------------------------------------------------------
+bool OrientShells(SurfaceMesh& mesh, const std::function<bool()>& goOn)
+{
+  // Which way a triangle is turned that is there twice cannot be told from what is before it. Both
+  // together bound nothing.
+  bool isBalanced = true;
+  ForEachUnbalanced(
+    EdgesOf(mesh), Ids(mesh.Triangles.size(), 0), [&](const MeshEdge&) { isBalanced = false; });
+  const std::vector<Triangle> walls = isBalanced ? std::vector<Triangle>() : TakeWalls(mesh);
+  const bool done = OrientSingle(mesh, goOn);
+  for (Triangle wall : walls)
+  {
+    mesh.Triangles.push_back(wall);
+    Turn(wall);
+    mesh.Triangles.push_back(wall);
+  }
+  return done;
 }
 }

@@ -18,7 +18,7 @@ namespace
 constexpr double Small = 0.5;
 constexpr std::size_t MostLeaves = 256; // of a round
 constexpr int Patience = 100;           // rounds without a sphere
-constexpr int MostPatience = 2000;      // before the first; in thin sheets leaves have no end
+constexpr int MostPatience = 2000;      // in thin sheets leaves have no end
 // Keeps spheres apart by more than rounding.
 constexpr double Shrink = 1.0 - 1e-9;
 
@@ -86,8 +86,7 @@ public:
 
   std::vector<PackedSphere> Run(const PackingProgress& progress)
   {
-    while (!this->IsDone() && (this->Count() > 0 || this->Stalled < MostPatience) &&
-      progress(this->Count(), this->Volume))
+    while (!this->IsDone() && this->Stalled < MostPatience && progress(this->Count(), this->Volume))
     {
       this->Choose();
       if (this->Tasks.empty())

@@ -60,6 +60,12 @@ void Drop(const std::vector<bool>& dropped, std::vector<Triangle>& triangles)
 
 // Leaves one of an odd number of copies, and two of an even one, which may be a wall within a
 // solid; but one where all have an even number, as where both sides of all are drawn.
+// Whether the corners rise in an even permutation of their order.
+bool IsForward(const Triangle& t)
+{
+  return ((t[0] < t[1] ? 1 : 0) + (t[1] < t[2] ? 1 : 0) + (t[2] < t[0] ? 1 : 0)) == 2;
+}
+
 void ReduceCopies(std::vector<Triangle>& triangles)
 {
   bool even = true;
@@ -69,10 +75,18 @@ void ReduceCopies(std::vector<Triangle>& triangles)
   ForEachCopies(triangles,
     [&](const std::int32_t* first, const std::int32_t* last)
     {
-      const std::ptrdiff_t most = (last - first) % 2 == 0 && !even ? 2 : 1;
-      for (const std::int32_t* at = first + most; at < last; ++at)
+      // As often one way more than the other as they all are, if that is possible.
+      const std::ptrdiff_t kept = (last - first) % 2 == 0 && !even ? 2 : 1;
+      const std::ptrdiff_t forward =
+        std::count_if(first, last, [&](std::int32_t at) { return IsForward(triangles[at]); });
+      const std::ptrdiff_t net = 2 * forward - (last - first);
+      const bool forwardFirst = net > 0 || (net == 0 && IsForward(triangles[*first]));
+      std::ptrdiff_t left[2]; // of each direction
+      left[forwardFirst ? 1 : 0] = net == 0 ? (kept + 1) / 2 : kept;
+      left[forwardFirst ? 0 : 1] = net == 0 ? kept / 2 : 0;
+      for (const std::int32_t* at = first; at < last; ++at)
       {
-        dropped[*at] = true;
+        dropped[*at] = left[IsForward(triangles[*at]) ? 1 : 0]-- <= 0;
       }
     });
   Drop(dropped, triangles);
@@ -192,6 +206,28 @@ void ReplacePoints(SurfaceMesh& mesh, const std::vector<std::int32_t>& first)
   }
   mesh.Triangles = std::move(triangles);
   ReduceCopies(mesh.Triangles);
+}
+
+//------------------------------------------------------------------------------
+std::vector<Triangle> TakeWalls(SurfaceMesh& mesh)
+{
+  std::vector<Triangle> walls;
+  std::vector<bool> taken(mesh.Triangles.size(), false);
+  ForEachCopies(mesh.Triangles,
+    [&](const std::int32_t* first, const std::int32_t* last)
+    {
+      if (last - first == 2)
+      {
+        walls.push_back(mesh.Triangles[*first]);
+        taken[first[0]] = taken[first[1]] = true;
+      }
+    });
+  if (walls.size() * 2 == mesh.Triangles.size())
+  {
+    return {};
+  }
+  Drop(taken, mesh.Triangles);
+  return walls;
 }
 
 //------------------------------------------------------------------------------

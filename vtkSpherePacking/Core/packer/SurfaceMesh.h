@@ -71,12 +71,15 @@ inline void ForEachEdgeGroup(const std::vector<MeshEdge>& edges, Visit visit)
 }
 
 /// Makes points at the same place one point, and drops triangles that have become lines. Of an odd
-/// number of copies of a triangle one is left, of an even number two, which may be a wall; but one
-/// where all have an even number.
+/// number of copies of a triangle one is left, turned as more of them are, of an even number two,
+/// which may be a wall; but one where all have an even number.
 void MergePoints(SurfaceMesh& mesh);
 
 /// The same with other points, by their indices, in place of those there are.
 void ReplacePoints(SurfaceMesh& mesh, const std::vector<std::int32_t>& others);
+
+/// Takes triangles that are there twice out of a mesh that has others; returns one of each two.
+std::vector<Triangle> TakeWalls(SurfaceMesh& mesh);
 
 /// Leaves one of two copies where an edge has an odd number of triangles, and of copies beside
 /// these.
