@@ -26,7 +26,10 @@ _SCALES = (1e-150, 1e150)
 def number_of(name: str, value: float, low: float, high: float) -> float:
     """`value` as a float from `low` to `high`, or a ValueError; texts and truth values are none."""
     real = isinstance(value, numbers.Real) and not isinstance(value, bool)
-    number = float(value) if real else np.nan
+    try:
+        number = float(value) if real else np.nan
+    except OverflowError:
+        number = np.nan
     if not low <= number <= high:
         raise ValueError(f"{name}: found {value!r}, expected a number from {low:g} to {high:g}")
     return number

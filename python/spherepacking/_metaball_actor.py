@@ -113,8 +113,9 @@ class Metaballs:
                 self.update()
                 return
             if len(self._ranges) != len(numbers):
-                if not self._may_keep(len(numbers)):
-                    self._renew()
+                grew, fits = self._compare()
+                if not fits or not self._may_keep(len(numbers)):
+                    self._renew(grew)
                     return
                 ones = np.eye(len(numbers))
                 self._ranges = [self._sum(one, same_grid=True) for one in ones]
@@ -132,11 +133,8 @@ class Metaballs:
         self._state = state
         self._take(self._contour())
 
-    def _renew(self) -> None:
+    def _renew(self, grew: bool) -> None:
         """Update, with room if the surface has grown."""
-        grid = np.array(self._field.bounds)
-        box = self._needed()
-        grew = (box[::2] < grid[::2]).any() or (box[1::2] > grid[1::2]).any()
         self._field = self._sum(
             self._words["weights"], same_grid=False, room=_ROOM if grew else 1.0
         )
@@ -147,16 +145,19 @@ class Metaballs:
         """Bounds of the grid that the surface would be given."""
         return _field.grid_bounds(self._packing, self._threshold, self._words)
 
-    def _may_keep(self, number: int) -> bool:
-        """Whether fields of so many ranges have room, and the grid is one for the surface."""
-        data = self._field.point_data
-        if number * sum(data[name].nbytes for name in data) > _KEPT:
-            return False
+    def _compare(self) -> tuple[bool, bool]:
+        """Whether the surface has outgrown the grid, and whether that is still one for it."""
         if self._words["bounds"] is not None:
-            return True
-        box, grid = self._needed(), np.array(self._field.bounds)
-        inside = (box[::2] >= grid[::2]).all() and (box[1::2] <= grid[1::2]).all()
-        return bool(inside) and _field.fills(self._field, box)
+            return False, True
+        box = self._needed()
+        grid = np.array(self._field.bounds)
+        grew = bool((box[::2] < grid[::2]).any() or (box[1::2] > grid[1::2]).any())
+        return grew, not grew and _field.fills(self._field, box)
+
+    def _may_keep(self, number: int) -> bool:
+        """Whether there is room for the fields of so many ranges."""
+        data = self._field.point_data
+        return number * sum(data[name].nbytes for name in data) <= _KEPT
 
     def _change(self, name: str, value: object) -> None:
         before = self._words[name]
@@ -181,7 +182,8 @@ class Metaballs:
         if self._words["bounds"] is not None:
             self._take(self._contour())
             return
-        if not _field.touches_sides(self._field, self._threshold):
+        grew = _field.touches_sides(self._field, self._threshold)
+        if not grew:
             with warnings.catch_warnings():
                 # On a grid of its own there may be one.
                 warnings.filterwarnings("ignore", "metaballs: ", UserWarning)
@@ -190,7 +192,7 @@ class Metaballs:
             if shown or _field.fills(self._field, self._needed()):
                 self._take(surface if shown else self._contour())
                 return
-        self._renew()
+        self._renew(grew)
 
     def _sum(
         self, weights: ArrayLike | None, *, same_grid: bool, room: float = 1.0

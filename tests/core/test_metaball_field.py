@@ -123,7 +123,7 @@ def test_near_all_there_is(kernel, away):
             np.unravel_index(np.arange(image.n_points), image.dimensions, order="F"), -1
         )
         expected = direct(packing, points, kernel, np.array([0.0, 0.0, 0.0, 1.0]))
-        np.testing.assert_allclose(image["field"], expected, rtol=3e-5)
+        np.testing.assert_allclose(image["field"], expected, rtol=2e-5)
         offset = points - [1.0, 1.0, 1.0]
         power = -1 if kernel == "inverse" else -2
         slope = power * expected / (offset**2).sum(axis=1)

@@ -68,6 +68,7 @@ def test_limits():
         ({"min_radius": np.nan}, ValueError, "min_radius: found nan"),
         ({"min_radius": np.inf}, ValueError, "min_radius: found inf"),
         ({"min_radius": "0.1"}, ValueError, "min_radius: found '0.1', expected a number"),
+        ({"min_radius": 10**400}, ValueError, "min_radius: found 1000"),
         ({"fraction": True}, ValueError, "fraction: found True, expected a number"),
         ({"fraction": 0}, ValueError, "fraction: found 0"),
         ({"fraction": 1.1}, ValueError, "fraction: found 1.1"),

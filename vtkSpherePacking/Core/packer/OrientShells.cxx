@@ -246,12 +246,12 @@ Ids ClosedPatches(const std::vector<MeshEdge>& edges, const std::vector<Ids>& pa
 }
 
 // Shells as lists of triangles, each turned so that its volume is above 0; none if that is stopped.
-std::vector<Ids> OrientEachShell(SurfaceMesh& mesh, const std::function<bool()>& goOn)
+std::vector<Ids> OrientEachShell(
+  SurfaceMesh& mesh, std::vector<MeshEdge>&& edges, const std::function<bool()>& goOn)
 {
   // Patches that are turned the wrong way may fit each other, so nothing can be told from them
   // later.
   Ids turned;
-  std::vector<MeshEdge> edges = EdgesOf(mesh);
   ForEachUnbalanced(edges, Ids(mesh.Triangles.size(), 0),
     [&](const MeshEdge& edge) { turned.push_back(edge.Triangle); });
   const std::vector<Ids> patches = OrientPatches(mesh, edges);
@@ -347,9 +347,10 @@ bool LiesWithin(const SurfaceMesh& mesh, const Ids& shell, const TriangleTree& o
 }
 
 // Of surfaces without walls.
-bool OrientSingle(SurfaceMesh& mesh, const std::function<bool()>& goOn)
+bool OrientSingle(
+  SurfaceMesh& mesh, std::vector<MeshEdge>&& edges, const std::function<bool()>& goOn)
 {
-  const std::vector<Ids> shells = OrientEachShell(mesh, goOn);
+  const std::vector<Ids> shells = OrientEachShell(mesh, std::move(edges), goOn);
   std::vector<MeshBox> boxes;
   for (const Ids& shell : shells)
   {
@@ -392,11 +393,17 @@ bool OrientShells(SurfaceMesh& mesh, const std::function<bool()>& goOn)
 {
   // Which way a triangle is turned that is there twice cannot be told from what is before it. Both
   // together bound nothing.
+  std::vector<MeshEdge> edges = EdgesOf(mesh);
   bool isBalanced = true;
   ForEachUnbalanced(
-    EdgesOf(mesh), Ids(mesh.Triangles.size(), 0), [&](const MeshEdge&) { isBalanced = false; });
-  const std::vector<Triangle> walls = isBalanced ? std::vector<Triangle>() : TakeWalls(mesh);
-  const bool done = OrientSingle(mesh, goOn);
+    edges, Ids(mesh.Triangles.size(), 0), [&](const MeshEdge&) { isBalanced = false; });
+  std::vector<Triangle> walls;
+  if (!isBalanced)
+  {
+    walls = TakeWalls(mesh);
+    edges = EdgesOf(mesh);
+  }
+  const bool done = OrientSingle(mesh, std::move(edges), goOn);
   for (Triangle wall : walls)
   {
     mesh.Triangles.push_back(wall);

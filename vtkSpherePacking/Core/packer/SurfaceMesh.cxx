@@ -58,14 +58,14 @@ void Drop(const std::vector<bool>& dropped, std::vector<Triangle>& triangles)
   triangles = std::move(kept);
 }
 
-// Leaves one of an odd number of copies, and two of an even one, which may be a wall within a
-// solid; but one where all have an even number, as where both sides of all are drawn.
 // Whether the corners rise in an even permutation of their order.
 bool IsForward(const Triangle& t)
 {
   return ((t[0] < t[1] ? 1 : 0) + (t[1] < t[2] ? 1 : 0) + (t[2] < t[0] ? 1 : 0)) == 2;
 }
 
+// Leaves one of an odd number of copies, and two of an even one, which may be a wall within a
+// solid; but one where all have an even number, as where both sides of all are drawn.
 void ReduceCopies(std::vector<Triangle>& triangles)
 {
   bool even = true;
