@@ -196,7 +196,9 @@ def trace(outputs: Outputs, name: str, packing: pv.PolyData) -> None:
     skies = {"white": {}, "sun": {"sun": sun, "sky": (0.1, 1.0)}, "image": {"sky": image}}
     for kind, light in skies.items():
         for structure in ("bvh", "grid") if kind == "sun" else ("bvh",):
+            # Another seed, so that it does not go on with the picture of the other structure.
             how = {"samples": 6, "max_bounces": 7, "structure": structure, "filmic": True} | light
+            how["seed"] = len(structure)
             outputs.add(
                 f"{name}/path trace/{kind}, {structure}",
                 lambda h=how: spheres.path_trace(view, size, scalars="radius", **h),
@@ -205,7 +207,7 @@ def trace(outputs: Outputs, name: str, packing: pv.PolyData) -> None:
     outputs.add(
         f"{name}/path trace/more",
         lambda: spheres.path_trace(
-            view, size, scalars="radius", samples=11, max_bounces=7, sky=image, filmic=True
+            view, size, scalars="radius", seed=3, samples=11, max_bounces=7, sky=image, filmic=True
         ),
     )
     outputs.add(

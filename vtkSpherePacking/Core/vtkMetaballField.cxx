@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkMetaballFieldInternals.h"
+#include "vtkMetaballField.h"
 
-#include "vtkSpherePackingFieldBox.h"
-#include "vtkSpherePackingFieldInput.h"
-#include "vtkSpherePackingFields.h"
-#include "vtkSpherePackingInput.h"
-#include "vtkSpherePackingParallelFor.h"
-#include "vtkSpherePackingPieces.h"
+#include "bridge/CoordinateRange.h"
+#include "bridge/FieldData.h"
+#include "bridge/FieldInput.h"
+#include "bridge/GridGeometry.h"
+#include "bridge/Guard.h"
+#include "bridge/InterruptibleFor.h"
+#include "bridge/PackingSpheres.h"
+#include "bridge/SmpParallelFor.h"
+#include "bridge/SurfaceBox.h"
 
-#include "vtkErrorCode.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -16,36 +18,40 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTypeInt64Array.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
-#include <chrono>
-#include <cmath>
-#include <new>
 #include <stdexcept>
 
 vtkStandardNewMacro(vtkMetaballField);
 
+using spherepacking::AbortRequest;
 using spherepacking::BlobKind;
 using spherepacking::FieldBlock;
+using spherepacking::FieldInput;
 using spherepacking::FieldScene;
+using spherepacking::GridGeometry;
+using spherepacking::Join;
+using spherepacking::Outcome;
+using spherepacking::Refuse;
+using spherepacking::Report;
+using spherepacking::RunGuarded;
+using spherepacking::Stopwatch;
+
+// The grid of the last run, and what it was placed for.
+struct vtkMetaballField::PlacedGrid
+{
+  GridGeometry Grid;
+  std::vector<vtkMTimeType> Times;
+};
 
 namespace
 {
-using Clock = std::chrono::steady_clock;
-
-struct Stopped
-{
-};
-
-double SecondsSince(Clock::time_point start)
-{
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
 void MultiplyBy(double factor, vtkFloatArray* array)
 {
   float* values = array->GetPointer(0);
@@ -71,7 +77,7 @@ ArrayT* AddArray(vtkImageData* output, const char* name, int components)
 
 //------------------------------------------------------------------------------
 vtkMetaballField::vtkMetaballField()
-  : Kept(new BoxKept)
+  : Placed(new PlacedGrid)
 {
 }
 
@@ -117,129 +123,143 @@ int vtkMetaballField::FillInputPortInformation(int, vtkInformation* info)
 }
 
 //------------------------------------------------------------------------------
-int vtkMetaballField::Fail(const std::string& message)
+spherepacking::GridRequest vtkMetaballField::Request() const
 {
-  this->ErrorMessage = message;
-  this->SetErrorCode(vtkErrorCode::UserError);
-  vtkErrorMacro(<< message);
-  return 0;
+  spherepacking::GridRequest request;
+  std::copy_n(this->Dimensions, 3, request.Dimensions);
+  std::copy_n(this->Spacing, 3, request.Spacing);
+  std::copy_n(this->ModelBounds, 6, request.ModelBounds);
+  request.Threshold = this->Threshold;
+  request.Kind = static_cast<BlobKind>(this->Kernel);
+  request.BytesPerPoint = 4.0 + 12.0 * this->ComputeGradient + 8.0 * this->ComputeStrongest +
+    7.0 * !this->ColorArrayName.empty();
+  return request;
 }
 
 //------------------------------------------------------------------------------
 void vtkMetaballField::Check() const
 {
-  const auto refuse = [](const std::string& found, const char* expected)
-  { throw std::invalid_argument(found + ", expected " + expected); };
-  if (std::any_of(this->Dimensions, this->Dimensions + 3, [](int n) { return n < 1; }))
-  {
-    refuse(
-      "dimensions: found " + vtkMetaballFieldJoin(this->Dimensions, 3), "three numbers from 1 on");
-  }
-  const bool none =
-    !(this->Spacing[0] != 0.0 || this->Spacing[1] != 0.0 || this->Spacing[2] != 0.0);
-  for (const double spacing : this->Spacing)
-  {
-    if (!none && !(spacing > 0.0 && std::isfinite(spacing)))
-    {
-      refuse("spacing: found " + vtkMetaballFieldJoin(this->Spacing, 3), "three numbers above 0");
-    }
-  }
-  const double* bounds = this->ModelBounds;
-  for (int axis = 0; axis < 3 && !(bounds[0] > bounds[1]); ++axis)
-  {
-    if (!std::isfinite(bounds[2 * axis + 1] - bounds[2 * axis]) ||
-      bounds[2 * axis] > bounds[2 * axis + 1])
-    {
-      refuse("bounds: found " + vtkMetaballFieldJoin(bounds, 6),
-        "x min, x max, y min, y max, z min and z max");
-    }
-  }
-  if (!(this->Threshold >= 0.0 && std::isfinite(this->Threshold)))
-  {
-    refuse("threshold: found " + vtkMetaballFieldJoin(&this->Threshold, 1), "a number above 0");
-  }
+  spherepacking::CheckGridRequest(this->Request());
   if (this->Count < 0)
   {
-    refuse("count: found " + std::to_string(this->Count), "0 or more");
+    Refuse("count", this->Count, "0 or more");
   }
   for (const double weight : this->Weights)
   {
     if (!(weight >= 0.0 && weight <= 1e20))
     {
-      refuse(
-        "weights: found " + vtkMetaballFieldJoin(this->Weights.data(), this->GetNumberOfWeights()),
+      Refuse("weights", Join(this->Weights.data(), this->GetNumberOfWeights()),
         "numbers from 0 to 1e20");
     }
   }
   const double error = this->RelativeError;
   if (!(error == 0.0 || (error >= 2e-5 && error <= 0.5)))
   {
-    refuse("relative_error: found " + vtkMetaballFieldJoin(&error, 1),
-      "a number from 2e-5 to 0.5, or 0");
+    Refuse("relative_error", error, "a number from 2e-5 to 0.5, or 0");
   }
+}
+
+//------------------------------------------------------------------------------
+int vtkMetaballField::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  // Where the grid lies depends on the packing; filters that follow ask before there is data.
+  GridGeometry grid{ {}, { 1.0, 1.0, 1.0 }, { 1, 1, 1 } };
+  const auto work = [&]
+  {
+    this->Check();
+    this->GetInputAlgorithm()->Update();
+    vtkPolyData* packing = vtkPolyData::SafeDownCast(this->GetInput());
+    grid = this->FindGrid(packing, spherepacking::RadiiOf(packing, this->RadiusArrayName));
+  };
+  // RequestData() meets the same error.
+  RunGuarded(this, this->ErrorMessage, this->OutOfMemory(), work, Report::Later);
+  vtkInformation* info = outputs->GetInformationObject(0);
+  const int extent[6] = { 0, grid.Dimensions[0] - 1, 0, grid.Dimensions[1] - 1, 0,
+    grid.Dimensions[2] - 1 };
+  info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+  info->Set(vtkDataObject::ORIGIN(), grid.Origin, 3);
+  info->Set(vtkDataObject::SPACING(), grid.Spacing, 3);
+  vtkDataObject::SetPointDataActiveScalarInfo(info, VTK_FLOAT, 1);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+const GridGeometry& vtkMetaballField::FindGrid(vtkPolyData* packing, vtkDataArray* radii)
+{
+  const std::vector<vtkMTimeType> times{ this->GetMTime(), packing->GetMTime(),
+    radii ? radii->GetMTime() : 0,
+    packing->GetPoints() ? packing->GetPoints()->GetData()->GetMTime() : 0 };
+  if (this->Placed->Times != times)
+  {
+    this->Placed->Times.clear();
+    const FieldInput input(packing, radii, this->Count, this->Weights);
+    if (!input.Empty())
+    {
+      spherepacking::CheckCoordinateRange(input.Bounds);
+    }
+    this->Placed->Grid = spherepacking::PlaceGrid(this->Request(), input);
+    this->Placed->Times = times;
+  }
+  return this->Placed->Grid;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkMetaballField::OutOfMemory() const
+{
+  return std::string(this->Spacing[0] > 0.0 ? "spacing" : "dimensions") +
+    ": found a field that does not fit in the memory that is free, expected fewer points";
 }
 
 //------------------------------------------------------------------------------
 int vtkMetaballField::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  this->ErrorMessage.clear();
-  this->SetErrorCode(vtkErrorCode::NoError);
   vtkImageData* output = vtkImageData::GetData(outputs);
-  try
+  const auto work = [&]
   {
     this->Check();
     vtkPolyData* packing = vtkPolyData::GetData(inputs[0]);
-    vtkNew<vtkSpherePackingInput> check;
-    vtkDataArray* radii = check->FindRadii(packing, this->RadiusArrayName.c_str());
-    if (*check->GetMessage())
-    {
-      throw std::invalid_argument(check->GetMessage());
-    }
+    vtkDataArray* radii = spherepacking::RadiiOf(packing, this->RadiusArrayName);
     if (packing->GetNumberOfPoints() > VTK_INT_MAX)
     {
-      throw std::invalid_argument("packing: found " + std::to_string(packing->GetNumberOfPoints()) +
-        " spheres, expected at most 2147483647");
+      Refuse(
+        "packing", std::to_string(packing->GetNumberOfPoints()) + " spheres", "at most 2147483647");
     }
-    const vtkSpherePackingFieldInput input(packing, radii, this->Count, this->Weights);
+    const FieldInput input(packing, radii, this->Count, this->Weights);
     vtkUnsignedCharArray* colors = this->FindColors(packing);
-    const Box box = this->BoxOf(packing, radii);
-    output->SetDimensions(box.Dimensions);
-    output->SetOrigin(box.Origin);
-    output->SetSpacing(box.Spacing);
-    this->Make(input, box, colors, output);
+    const GridGeometry grid = this->FindGrid(packing, radii);
+    output->SetDimensions(grid.Dimensions);
+    output->SetOrigin(grid.Origin);
+    output->SetSpacing(grid.Spacing);
+    this->Make(input, grid, colors, output);
     // The executive would throw away what is done.
     this->SetAbortOutput(false);
-  }
-  catch (const std::invalid_argument& error)
+  };
+  if (RunGuarded(this, this->ErrorMessage, this->OutOfMemory(), work) == Outcome::Failed)
   {
     output->Initialize();
-    return this->Fail(error.what());
-  }
-  catch (const std::bad_alloc&)
-  {
-    output->Initialize();
-    return this->Fail(std::string(this->Spacing[0] > 0.0 ? "spacing" : "dimensions") +
-      ": found a field that does not fit in the memory that is free, expected fewer points");
+    return 0;
   }
   return 1;
 }
 
 //------------------------------------------------------------------------------
-FieldScene vtkMetaballField::Prepare(const vtkSpherePackingFieldInput& input, const Box& box,
+FieldScene vtkMetaballField::Prepare(const FieldInput& input, const GridGeometry& geometry,
   const unsigned char* colors, int channel, int components)
 {
   double all[6];
   for (int axis = 0; axis < 3; ++axis)
   {
-    const double last = box.Origin[axis] + (box.Dimensions[axis] - 1) * box.Spacing[axis];
-    all[2 * axis] =
-      input.Empty() ? box.Origin[axis] : std::min(box.Origin[axis], input.Bounds[2 * axis]);
+    const double last =
+      geometry.Origin[axis] + (geometry.Dimensions[axis] - 1) * geometry.Spacing[axis];
+    all[2 * axis] = input.Empty() ? geometry.Origin[axis]
+                                  : std::min(geometry.Origin[axis], input.Bounds[2 * axis]);
     all[2 * axis + 1] = input.Empty() ? last : std::max(last, input.Bounds[2 * axis + 1]);
   }
   double origin[3];
   double scale;
-  vtkSpherePackingScaleOf(all, origin, scale);
+  spherepacking::ScaleOf(all, origin, scale);
   std::vector<spherepacking::Charge> spheres = input.Scaled(origin, scale);
   for (spherepacking::Charge& sphere : spheres)
   {
@@ -249,9 +269,9 @@ FieldScene vtkMetaballField::Prepare(const vtkSpherePackingFieldInput& input, co
   spherepacking::FieldGrid grid;
   for (int axis = 0; axis < 3; ++axis)
   {
-    grid.Origin[axis] = (box.Origin[axis] - origin[axis]) * scale;
-    grid.Spacing[axis] = box.Spacing[axis] * scale;
-    grid.Dimensions[axis] = box.Dimensions[axis];
+    grid.Origin[axis] = (geometry.Origin[axis] - origin[axis]) * scale;
+    grid.Spacing[axis] = geometry.Spacing[axis] * scale;
+    grid.Dimensions[axis] = geometry.Dimensions[axis];
   }
   grid.Scale = scale;
   // The parts of a blend have no gradient.
@@ -262,9 +282,9 @@ FieldScene vtkMetaballField::Prepare(const vtkSpherePackingFieldInput& input, co
     this->UpdateProgress(this->GetProgress());
     if (this->CheckAbort())
     {
-      throw Stopped();
+      throw AbortRequest();
     }
-    vtkSpherePackingParallelFor()(count, work);
+    spherepacking::SmpParallelFor()(count, work);
   };
   return spherepacking::PrepareField(static_cast<BlobKind>(this->Kernel), std::move(spheres),
     this->RelativeError, grid, wanted, stoppable);
@@ -273,9 +293,9 @@ FieldScene vtkMetaballField::Prepare(const vtkSpherePackingFieldInput& input, co
 //------------------------------------------------------------------------------
 bool vtkMetaballField::Run(const FieldScene& scene, Blocks blocks, double from, double to)
 {
-  Clock::time_point last = Clock::now();
+  Stopwatch sinceLast;
   bool stopped = false;
-  vtkSpherePackingMakePieces(
+  spherepacking::InterruptibleFor(
     blocks.Last - blocks.First,
     [&](std::int64_t i)
     {
@@ -285,13 +305,13 @@ bool vtkMetaballField::Run(const FieldScene& scene, Blocks blocks, double from, 
         spherepacking::FindStrongest(scene, blocks.First[i]);
       }
     },
-    [&](std::int64_t, double share)
+    [&](std::int64_t, double fraction)
     {
       // Observers may take longer than a block.
-      if (share >= 1.0 || Clock::now() - last > std::chrono::milliseconds(10))
+      if (fraction >= 1.0 || sinceLast.Seconds() > 0.01)
       {
-        this->UpdateProgress(from + (to - from) * share);
-        last = Clock::now();
+        this->UpdateProgress(from + (to - from) * fraction);
+        sinceLast = Stopwatch();
       }
       stopped = stopped || this->CheckAbort();
       return stopped;
@@ -300,21 +320,21 @@ bool vtkMetaballField::Run(const FieldScene& scene, Blocks blocks, double from, 
 }
 
 //------------------------------------------------------------------------------
-void vtkMetaballField::Make(const vtkSpherePackingFieldInput& input, const Box& box,
+void vtkMetaballField::Make(const FieldInput& input, const GridGeometry& geometry,
   vtkUnsignedCharArray* colors, vtkImageData* output)
 {
-  const Clock::time_point start = Clock::now();
+  const Stopwatch watch;
   FieldScene scene;
   bool go = true;
   try
   {
-    scene = this->Prepare(input, box, nullptr, 0, 0);
+    scene = this->Prepare(input, geometry, nullptr, 0, 0);
   }
-  catch (const Stopped&)
+  catch (const AbortRequest&)
   {
     go = false;
   }
-  const double build = SecondsSince(start);
+  const double build = watch.Seconds();
   const auto meshes = static_cast<double>(scene.Mesh ? scene.Mesh->Levels.size() : 0);
   // A blend needs three more fields.
   const double share = colors ? 0.25 : 1.0;
@@ -350,17 +370,17 @@ void vtkMetaballField::Make(const vtkSpherePackingFieldInput& input, const Box& 
     auto* blend = AddArray<vtkUnsignedCharArray>(output, "blend", 3);
     for (int channel = 0; go && channel < 3; ++channel)
     {
-      go = this->Blend(input, box, colors, channel, field, blend);
+      go = this->Blend(input, geometry, colors, channel, field, blend);
     }
   }
   output->GetPointData()->SetActiveScalars("field");
-  vtkSpherePackingAddField(output, "meshes", { meshes });
-  vtkSpherePackingAddField(output, "build_seconds", { build });
-  vtkSpherePackingAddField(output, "sum_seconds", { SecondsSince(start) - build });
+  spherepacking::AddFieldArray(output, "meshes", { meshes });
+  spherepacking::AddFieldArray(output, "build_seconds", { build });
+  spherepacking::AddFieldArray(output, "sum_seconds", { watch.Seconds() - build });
 }
 
 //------------------------------------------------------------------------------
-bool vtkMetaballField::Blend(const vtkSpherePackingFieldInput& input, const Box& box,
+bool vtkMetaballField::Blend(const FieldInput& input, const GridGeometry& geometry,
   vtkUnsignedCharArray* colors, int channel, vtkFloatArray* field, vtkUnsignedCharArray* blend)
 {
   // Enough for all cores; the parts that are not yet mixed are kept for so many alone.
@@ -368,10 +388,10 @@ bool vtkMetaballField::Blend(const vtkSpherePackingFieldInput& input, const Box&
   FieldScene scene;
   try
   {
-    scene =
-      this->Prepare(input, box, colors->GetPointer(0), channel, colors->GetNumberOfComponents());
+    scene = this->Prepare(
+      input, geometry, colors->GetPointer(0), channel, colors->GetNumberOfComponents());
   }
-  catch (const Stopped&)
+  catch (const AbortRequest&)
   {
     return false;
   }
@@ -432,14 +452,12 @@ void vtkMetaballField::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Kernel: " << this->Kernel << "\n";
-  os << indent << "Dimensions: " << vtkMetaballFieldJoin(this->Dimensions, 3) << "\n";
-  os << indent << "Spacing: " << vtkMetaballFieldJoin(this->Spacing, 3) << "\n";
-  os << indent << "ModelBounds: " << vtkMetaballFieldJoin(this->ModelBounds, 6) << "\n";
+  os << indent << "Dimensions: " << Join(this->Dimensions, 3) << "\n";
+  os << indent << "Spacing: " << Join(this->Spacing, 3) << "\n";
+  os << indent << "ModelBounds: " << Join(this->ModelBounds, 6) << "\n";
   os << indent << "Threshold: " << this->Threshold << "\n";
   os << indent << "Count: " << this->Count << "\n";
-  os << indent
-     << "Weights: " << vtkMetaballFieldJoin(this->Weights.data(), this->GetNumberOfWeights())
-     << "\n";
+  os << indent << "Weights: " << Join(this->Weights.data(), this->GetNumberOfWeights()) << "\n";
   os << indent << "RelativeError: " << this->RelativeError << "\n";
   os << indent << "ComputeGradient: " << (this->ComputeGradient ? "On" : "Off") << "\n";
   os << indent << "ComputeStrongest: " << (this->ComputeStrongest ? "On" : "Off") << "\n";

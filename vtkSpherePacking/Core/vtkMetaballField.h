@@ -51,13 +51,15 @@
 class vtkDataArray;
 class vtkFloatArray;
 class vtkPolyData;
-class vtkSpherePackingFieldInput;
 class vtkUnsignedCharArray;
 
 namespace spherepacking
 {
+class FieldInput;
 struct FieldBlock;
 struct FieldScene;
+struct GridGeometry;
+struct GridRequest;
 }
 
 class VTKSPHEREPACKINGCORE_EXPORT vtkMetaballField : public vtkImageAlgorithm
@@ -177,19 +179,18 @@ private:
   vtkMetaballField(const vtkMetaballField&) = delete;
   void operator=(const vtkMetaballField&) = delete;
 
-  struct Box;     // the grid in world coordinates
-  struct BoxKept; // that of the last run, and what it was made of
+  struct PlacedGrid;
 
-  int Fail(const std::string& message);
+  spherepacking::GridRequest Request() const;
   void Check() const;
-  Box FindBox(const vtkSpherePackingFieldInput& input) const;
-  const Box& BoxOf(vtkPolyData* packing, vtkDataArray* radii);
-  void CheckSize(const Box& box) const;
+  std::string OutOfMemory() const;
+  const spherepacking::GridGeometry& FindGrid(vtkPolyData* packing, vtkDataArray* radii);
   vtkUnsignedCharArray* FindColors(vtkPolyData* packing) const;
 
   // The spheres, with one channel of their colours as a further weight if there are any.
-  spherepacking::FieldScene Prepare(const vtkSpherePackingFieldInput& input, const Box& box,
-    const unsigned char* colors, int channel, int components);
+  spherepacking::FieldScene Prepare(const spherepacking::FieldInput& input,
+    const spherepacking::GridGeometry& geometry, const unsigned char* colors, int channel,
+    int components);
 
   struct Blocks
   {
@@ -199,12 +200,12 @@ private:
 
   // Whether all blocks were made.
   bool Run(const spherepacking::FieldScene& scene, Blocks blocks, double from, double to);
-  void Make(const vtkSpherePackingFieldInput& input, const Box& box, vtkUnsignedCharArray* colors,
-    vtkImageData* output);
-  bool Blend(const vtkSpherePackingFieldInput& input, const Box& box, vtkUnsignedCharArray* colors,
-    int channel, vtkFloatArray* field, vtkUnsignedCharArray* blend);
+  void Make(const spherepacking::FieldInput& input, const spherepacking::GridGeometry& geometry,
+    vtkUnsignedCharArray* colors, vtkImageData* output);
+  bool Blend(const spherepacking::FieldInput& input, const spherepacking::GridGeometry& geometry,
+    vtkUnsignedCharArray* colors, int channel, vtkFloatArray* field, vtkUnsignedCharArray* blend);
 
-  std::unique_ptr<BoxKept> Kept;
+  std::unique_ptr<PlacedGrid> Placed;
   int Kernel = INVERSE;
   int Dimensions[3] = { 64, 64, 64 };
   double Spacing[3] = { 0.0, 0.0, 0.0 };

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSpherePacker.h"
 
-#include "vtkSpherePackingFields.h"
-#include "vtkSpherePackingParallelFor.h"
+#include "bridge/FieldData.h"
+#include "bridge/Guard.h"
+#include "bridge/SmpParallelFor.h"
 
-#include "io/PackingArrays.h"
+#include "bridge/PackingArrays.h"
 #include "packer/OrientShells.h"
 #include "packer/PackSpheres.h"
 
 #include "vtkCell.h"
 #include "vtkCellArray.h"
-#include "vtkErrorCode.h"
 #include "vtkGenericCell.h"
 #include "vtkIdList.h"
 #include "vtkInformation.h"
@@ -22,30 +22,19 @@
 #include "vtkStaticPointLocator.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
-#include <new>
-#include <sstream>
 #include <stdexcept>
 
 vtkStandardNewMacro(vtkSpherePacker);
 
 using spherepacking::PackedSphere;
+using spherepacking::Refuse;
 using spherepacking::SurfaceMesh;
 using spherepacking::Vector3;
 
 namespace
 {
-using Clock = std::chrono::steady_clock;
-
-[[noreturn]] void Refuse(const std::string& argument, double found, const char* expected)
-{
-  std::ostringstream text;
-  text << argument << ": found " << found << ", expected " << expected;
-  throw std::invalid_argument(text.str());
-}
-
 // Lengths about 1 around the origin: what is far away loses no digits in between, and what is very
 // large or small does not leave the range of single precision.
 struct Frame
@@ -222,39 +211,29 @@ double VolumeOf(const std::vector<PackedSphere>& spheres)
 int vtkSpherePacker::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  this->ErrorMessage.clear();
-  this->SetErrorCode(vtkErrorCode::NoError);
   this->Interrupted = false;
   vtkPolyData* output = vtkPolyData::GetData(outputs);
-  try
+  const auto work = [&] { this->Pack(vtkPolyData::GetData(inputs[0]), output); };
+  if (spherepacking::RunGuarded(this, this->ErrorMessage,
+        "count: not enough memory for so many spheres, expected fewer",
+        work) == spherepacking::Outcome::Failed)
   {
-    this->Pack(vtkPolyData::GetData(inputs[0]), output);
-    return 1;
+    output->Initialize();
+    return 0;
   }
-  catch (const std::invalid_argument& error)
-  {
-    this->ErrorMessage = error.what();
-  }
-  catch (const std::bad_alloc&)
-  {
-    this->ErrorMessage = "count: not enough memory for so many spheres, expected fewer";
-  }
-  output->Initialize();
-  this->SetErrorCode(vtkErrorCode::UserError);
-  vtkErrorMacro(<< this->ErrorMessage);
-  return 0;
+  return 1;
 }
 
 //------------------------------------------------------------------------------
 std::function<bool()> vtkSpherePacker::Watch()
 {
-  return [this, last = Clock::now()]() mutable
+  return [this, sinceLast = spherepacking::Stopwatch()]() mutable
   {
     // Observers may take longer than what is watched.
-    if (Clock::now() - last > std::chrono::milliseconds(50))
+    if (sinceLast.Seconds() > 0.05)
     {
       this->UpdateProgress(0.0);
-      last = Clock::now();
+      sinceLast = spherepacking::Stopwatch();
     }
     return this->GetAbortExecute() == 0;
   };
@@ -263,7 +242,7 @@ std::function<bool()> vtkSpherePacker::Watch()
 //------------------------------------------------------------------------------
 void vtkSpherePacker::Pack(vtkPolyData* surface, vtkPolyData* output)
 {
-  const Clock::time_point start = Clock::now();
+  const spherepacking::Stopwatch watch;
   if (this->NumberOfSpheres < 1)
   {
     Refuse("count", this->NumberOfSpheres, "1 or more");
@@ -311,7 +290,7 @@ void vtkSpherePacker::Pack(vtkPolyData* surface, vtkPolyData* output)
     return !this->Interrupted;
   };
   const std::vector<PackedSphere> spheres =
-    spherepacking::PackSpheres(mesh, goal, vtkSpherePackingParallelFor(), progress);
+    spherepacking::PackSpheres(mesh, goal, spherepacking::SmpParallelFor(), progress);
   if (spheres.empty() && !this->Interrupted)
   {
     if (this->MinimumRadius > 0.0)
@@ -322,12 +301,11 @@ void vtkSpherePacker::Pack(vtkPolyData* surface, vtkPolyData* output)
                                 "expected a thicker one");
   }
   FillOutput(spheres, frame, output);
-  vtkSpherePackingAddField(output, "surface_volume", { volume * cube });
+  spherepacking::AddFieldArray(output, "surface_volume", { volume * cube });
   const double filled = VolumeOf(spheres) / volume;
-  vtkSpherePackingAddField(output, "volume_fraction",
+  spherepacking::AddFieldArray(output, "volume_fraction",
     { filled > 1.0 ? std::numeric_limits<double>::quiet_NaN() : filled });
-  vtkSpherePackingAddField(
-    output, "build_seconds", { std::chrono::duration<double>(Clock::now() - start).count() });
+  spherepacking::AddFieldArray(output, "build_seconds", { watch.Seconds() });
 }
 
 //------------------------------------------------------------------------------

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSpherePackingBVH.h"
 
-#include "vtkSpherePackingArrays.h"
-#include "vtkSpherePackingBoxes.h"
-#include "vtkSpherePackingFields.h"
-#include "vtkSpherePackingMemory.h"
-#include "vtkSpherePackingParallelFor.h"
+#include "bridge/PackingSpheres.h"
+#include "bridge/BoxOutput.h"
+#include "bridge/FieldData.h"
+#include "bridge/MemoryLimit.h"
+#include "bridge/SmpParallelFor.h"
 
-#include "kernels/BoxTree.h"
+#include "accel/BoxTree.h"
 
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
@@ -67,8 +67,8 @@ void vtkSpherePackingBVH::CheckOptions(vtkIdType spheres)
   const double wanted = byDepth ? std::exp2(this->Depth) : this->NumberOfBoxes;
   const double leaves = std::min(wanted, static_cast<double>(spheres));
   const double boxes = this->LeavesOnly ? leaves : 2.0 * leaves;
-  if (leaves * BytesPerLeaf + boxes * vtkSpherePackingBoxes::BytesPerBox >
-    vtkSpherePackingHalfOfMemory())
+  if (leaves * BytesPerLeaf + boxes * spherepacking::BoxOutput::BytesPerBox >
+    spherepacking::HalfOfMemory())
   {
     throw std::invalid_argument(
       found + ", which makes more boxes than fit in half of the memory, expected fewer");
@@ -77,10 +77,10 @@ void vtkSpherePackingBVH::CheckOptions(vtkIdType spheres)
 
 //------------------------------------------------------------------------------
 void vtkSpherePackingBVH::MakeBoxes(vtkPolyData* packing, vtkDataArray* radii, const double[6],
-  vtkSpherePackingBoxes& boxes, vtkPolyData* output)
+  spherepacking::BoxOutput& boxes, vtkPolyData* output)
 {
-  const vtkSpherePackingArrays spheres(packing, radii);
-  const spherepacking::ParallelFor parallelFor = vtkSpherePackingParallelFor();
+  const spherepacking::PackingSpheres spheres(packing, radii);
+  const spherepacking::ParallelFor parallelFor = spherepacking::SmpParallelFor();
   const spherepacking::BoxTree tree = this->Depth < 0
     ? spherepacking::BuildBoxTreeOfLeaves(spheres.Get(), this->NumberOfBoxes, parallelFor)
     : spherepacking::BuildBoxTreeOfDepth(spheres.Get(), this->Depth, parallelFor);
@@ -93,9 +93,9 @@ void vtkSpherePackingBVH::MakeBoxes(vtkPolyData* packing, vtkDataArray* radii, c
     }
   }
   AddLeafOfSphere(tree, output);
-  vtkSpherePackingAddField(output, "memory_bytes", { static_cast<double>(tree.Bytes()) });
-  vtkSpherePackingAddField(output, "sah_cost", { tree.SahCost() });
-  vtkSpherePackingAddField(output, "occupied_share", { tree.OccupiedShare() });
+  spherepacking::AddFieldArray(output, "memory_bytes", { static_cast<double>(tree.Bytes()) });
+  spherepacking::AddFieldArray(output, "sah_cost", { tree.SahCost() });
+  spherepacking::AddFieldArray(output, "occupied_share", { tree.OccupiedShare() });
 }
 
 //------------------------------------------------------------------------------

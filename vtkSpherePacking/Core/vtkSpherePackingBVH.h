@@ -69,7 +69,7 @@ protected:
   ~vtkSpherePackingBVH() override = default;
   void CheckOptions(vtkIdType spheres) override;
   void MakeBoxes(vtkPolyData* packing, vtkDataArray* radii, const double bounds[6],
-    vtkSpherePackingBoxes& boxes, vtkPolyData* output) override;
+    spherepacking::BoxOutput& boxes, vtkPolyData* output) override;
 
 private:
   vtkSpherePackingBVH(const vtkSpherePackingBVH&) = delete;

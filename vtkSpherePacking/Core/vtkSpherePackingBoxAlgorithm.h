@@ -22,10 +22,12 @@
 
 #include <string> // for std::string
 
-VTK_ABI_NAMESPACE_BEGIN
-struct vtkSpherePackingBoxes;
-VTK_ABI_NAMESPACE_END
 class vtkDataArray;
+
+namespace spherepacking
+{
+struct BoxOutput;
+}
 
 class VTKSPHEREPACKINGCORE_EXPORT vtkSpherePackingBoxAlgorithm : public vtkPolyDataAlgorithm
 {
@@ -67,12 +69,11 @@ protected:
    * spheres come without `radii`.
    */
   virtual void MakeBoxes(vtkPolyData* packing, vtkDataArray* radii, const double bounds[6],
-    vtkSpherePackingBoxes& boxes, vtkPolyData* output) = 0;
+    spherepacking::BoxOutput& boxes, vtkPolyData* output) = 0;
 
 private:
   vtkSpherePackingBoxAlgorithm(const vtkSpherePackingBoxAlgorithm&) = delete;
   void operator=(const vtkSpherePackingBoxAlgorithm&) = delete;
-  int Fail(const std::string& message);
 
   bool BoxesAsLines = false;
   std::string RadiusArrayName = "radius";

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSpherePackingGrid.h"
 
-#include "vtkSpherePackingArrays.h"
-#include "vtkSpherePackingBoxes.h"
-#include "vtkSpherePackingFields.h"
-#include "vtkSpherePackingMemory.h"
-#include "vtkSpherePackingParallelFor.h"
+#include "bridge/PackingSpheres.h"
+#include "bridge/BoxOutput.h"
+#include "bridge/FieldData.h"
+#include "bridge/MemoryLimit.h"
+#include "bridge/SmpParallelFor.h"
 
-#include "kernels/GridTable.h"
+#include "accel/GridTable.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
@@ -35,7 +35,7 @@ void vtkSpherePackingGrid::CheckOptions(vtkIdType)
   {
     throw std::invalid_argument(found + ", expected 0 or more");
   }
-  if (std::pow(this->Cuts + 1.0, 3.0) * sizeof(int) > vtkSpherePackingHalfOfMemory())
+  if (std::pow(this->Cuts + 1.0, 3.0) * sizeof(int) > spherepacking::HalfOfMemory())
   {
     throw std::invalid_argument(
       found + ", which makes more cells than fit in half of the memory, expected fewer");
@@ -44,7 +44,7 @@ void vtkSpherePackingGrid::CheckOptions(vtkIdType)
 
 //------------------------------------------------------------------------------
 void vtkSpherePackingGrid::MakeBoxes(vtkPolyData* packing, vtkDataArray* radii,
-  const double bounds[6], vtkSpherePackingBoxes& boxes, vtkPolyData* output)
+  const double bounds[6], spherepacking::BoxOutput& boxes, vtkPolyData* output)
 {
   const spherepacking::Grid grid{
     { { bounds[0], bounds[2], bounds[4] }, { bounds[1], bounds[3], bounds[5] } }, this->Cuts + 1
@@ -52,9 +52,9 @@ void vtkSpherePackingGrid::MakeBoxes(vtkPolyData* packing, vtkDataArray* radii,
   double touches = 0.0;
   if (radii)
   {
-    const vtkSpherePackingArrays spheres(packing, radii);
+    const spherepacking::PackingSpheres spheres(packing, radii);
     const spherepacking::CellCounts counts =
-      spherepacking::CountTouches(grid, spheres.Get(), 0.0, vtkSpherePackingParallelFor());
+      spherepacking::CountTouches(grid, spheres.Get(), 0.0, spherepacking::SmpParallelFor());
     boxes.Reserve(
       "cuts: found " + std::to_string(this->Cuts), CountTouched(counts.get(), grid.Count()));
     for (std::int64_t i = 0; i < grid.Count(); ++i)
@@ -67,8 +67,8 @@ void vtkSpherePackingGrid::MakeBoxes(vtkPolyData* packing, vtkDataArray* radii,
     }
   }
   const double cells = static_cast<double>(grid.Count());
-  vtkSpherePackingAddField(output, "memory_bytes", { 4.0 * touches + 8.0 * (cells + 1.0) });
-  vtkSpherePackingAddField(
+  spherepacking::AddFieldArray(output, "memory_bytes", { 4.0 * touches + 8.0 * (cells + 1.0) });
+  spherepacking::AddFieldArray(
     output, "occupied_share", { static_cast<double>(boxes.Boxes.size()) / cells });
 }
 

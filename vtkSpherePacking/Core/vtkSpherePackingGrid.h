@@ -40,7 +40,7 @@ protected:
   ~vtkSpherePackingGrid() override = default;
   void CheckOptions(vtkIdType spheres) override;
   void MakeBoxes(vtkPolyData* packing, vtkDataArray* radii, const double bounds[6],
-    vtkSpherePackingBoxes& boxes, vtkPolyData* output) override;
+    spherepacking::BoxOutput& boxes, vtkPolyData* output) override;
 
 private:
   vtkSpherePackingGrid(const vtkSpherePackingGrid&) = delete;

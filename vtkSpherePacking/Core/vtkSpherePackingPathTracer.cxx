@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSpherePackingPathTracer.h"
 
-#include "vtkSpherePackingCameraRays.h"
-#include "vtkSpherePackingFields.h"
-#include "vtkSpherePackingPathState.h"
-#include "vtkSpherePackingPicture.h"
-#include "vtkSpherePackingTiles.h"
-#include "vtkSpherePackingTracerInternals.h"
-
-#include "kernels/Develop.h"
+#include "bridge/AdaptiveCells.h"
+#include "bridge/CameraView.h"
+#include "bridge/FieldData.h"
+#include "bridge/Guard.h"
+#include "bridge/PathFilm.h"
+#include "bridge/PictureArrays.h"
+#include "bridge/PreparedScene.h"
+#include "bridge/TileLoop.h"
+#include "light/ToneMap.h"
 
 #include "vtkDataArray.h"
 #include "vtkFloatArray.h"
@@ -19,18 +20,18 @@
 #include "vtkSMPTools.h"
 #include "vtkUnsignedCharArray.h"
 
-#include <chrono>
+#include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
+#include <vector>
 
 vtkStandardNewMacro(vtkSpherePackingPathTracer);
 
 namespace
 {
-using Clock = std::chrono::steady_clock;
-using Seconds = std::chrono::duration<double>;
+using spherepacking::AddFieldArray;
 using spherepacking::PathLight;
+using spherepacking::Refuse;
 
 // After how many samples a part of the picture may have enough.
 constexpr unsigned SamplesPerCheck = 8;
@@ -50,14 +51,6 @@ constexpr double MostLight = 1e15;
 
 // Of the pixels that are traced first for a preview, along both sides.
 constexpr int PreviewStride = 2;
-
-template <typename Value>
-[[noreturn]] void Refuse(const char* name, Value found, const char* expected)
-{
-  std::ostringstream message;
-  message << name << ": found " << found << ", expected " << expected;
-  throw std::invalid_argument(message.str());
-}
 
 void CheckRange(const char* name, double value, double low, double high, const char* expected)
 {
@@ -111,7 +104,7 @@ void PrintVector(std::ostream& os, const double (&vector)[3])
 
 //------------------------------------------------------------------------------
 vtkSpherePackingPathTracer::vtkSpherePackingPathTracer()
-  : State(new vtkSpherePackingPathState)
+  : Film(new spherepacking::PathFilm)
 {
 }
 
@@ -181,71 +174,45 @@ void vtkSpherePackingPathTracer::SetLight(PathLight& light) const
   const double length = vtkMath::Norm(this->SunDirection);
   for (int i = 0; i < 3; ++i)
   {
-    light.From.Top[i] = static_cast<float>(this->SkyTop[i]);
-    light.From.Bottom[i] = static_cast<float>(this->SkyBottom[i]);
-    light.Shining.Direction[i] = this->SunDirection[i] / length;
+    light.Sky.Top[i] = static_cast<float>(this->SkyTop[i]);
+    light.Sky.Bottom[i] = static_cast<float>(this->SkyBottom[i]);
+    light.Sun.Direction[i] = this->SunDirection[i] / length;
   }
   // 1 - cos(a) = 2 sin(a / 2)^2, and a is half of the diameter.
   const double sine = std::sin(0.25 * vtkMath::RadiansFromDegrees(this->SunDiameter));
-  light.Shining.Outside = 2.0 * sine * sine;
+  light.Sun.OneMinusCosine = 2.0 * sine * sine;
   for (int i = 0; i < 3; ++i)
   {
     // The parts of the sun do not all stand above a surface that faces its middle: over the mean
     // of the cosine.
-    light.Shining.Radiance[i] =
-      static_cast<float>(this->SunRadiance[i] / (1.0 - 0.5 * light.Shining.Outside));
+    light.Sun.Radiance[i] =
+      static_cast<float>(this->SunRadiance[i] / (1.0 - 0.5 * light.Sun.OneMinusCosine));
   }
   if (this->SkyImage)
   {
     const int* size = this->SkyImage->GetDimensions();
-    light.From.SetImage(PixelsOf(this->SkyImage), size[0], size[1]);
+    light.Sky.SetImage(PixelsOf(this->SkyImage), size[0], size[1]);
   }
-}
-
-//------------------------------------------------------------------------------
-std::string vtkSpherePackingPathTracer::KeyOf(const vtkSpherePackingCameraRays& camera)
-{
-  const vtkSpherePackingTracerInternals& kept = *this->Internals;
-  const spherepacking::CameraRays& rays = camera.Rays;
-  std::ostringstream key;
-  key << std::hexfloat << kept.Points << ' ' << kept.Radii << ' ' << kept.Time << ' '
-      << kept.ColorState << ' ' << rays.Parallel;
-  const double* const vectors[] = { rays.O0, rays.OX, rays.OY, rays.D0, rays.DX, rays.DY,
-    this->SkyTop, this->SkyBottom, this->SunDirection, this->SunRadiance };
-  for (const double* vector : vectors)
-  {
-    key << ' ' << vector[0] << ' ' << vector[1] << ' ' << vector[2];
-  }
-  key << ' ' << this->SunDiameter << ' ' << this->Albedo << ' ' << this->MaximumNumberOfBounces
-      << ' ' << this->Seed << ' ' << this->SkyImage << ' '
-      << (this->SkyImage ? this->SkyImage->GetMTime() : 0);
-  for (int i = 0; i < 2; ++i)
-  {
-    key << ' ' << this->GetWindowSize()[i];
-  }
-  return key.str();
 }
 
 // What the passes of a run share.
 struct vtkSpherePackingPathTracer::Passes
 {
   spherepacking::Scene Scene;
-  vtkSpherePackingCameraRays Camera;
+  spherepacking::CameraView View;
   PathLight Light;
-  vtkSpherePackingPathCells Cells;
-  vtkSpherePackingTiles Tiles;
+  spherepacking::AdaptiveCells Cells;
+  spherepacking::TileLoop Tiles;
   std::vector<double> TileSeconds;
-  Clock::time_point Start;
+  spherepacking::Stopwatch Watch;
   bool Stop = false;
   bool MayBeLate = false; // there is a picture to show
-
-  double Seconds() const { return ::Seconds(Clock::now() - this->Start).count(); }
 };
 
 //------------------------------------------------------------------------------
 bool vtkSpherePackingPathTracer::IsLate(const Passes& run) const
 {
-  return run.MayBeLate && this->TimeBudget > 0.0 && run.Seconds() > this->TimeBudget;
+  return run.MayBeLate && this->TimeBudget > 0.0 && run.Watch.Seconds() > this->TimeBudget;
 }
 
 //------------------------------------------------------------------------------
@@ -258,11 +225,11 @@ void vtkSpherePackingPathTracer::RunPass(Passes& run, unsigned before, unsigned 
     [&](const spherepacking::Tile& tile)
     {
       spherepacking::TracePaths(
-        run.Scene, run.Camera.Rays, run.Light, samples, cells, tile, this->State->Picture);
+        run.Scene, run.View.Rays, run.Light, samples, cells, tile, this->Film->Picture());
     },
-    [&](double share)
+    [&](double fraction)
     {
-      this->UpdateProgress((before + share * (samples - before)) / wanted);
+      this->UpdateProgress((before + fraction * (samples - before)) / wanted);
       run.Stop = run.Stop || this->CheckAbort() || this->IsLate(run);
       return run.Stop;
     });
@@ -270,7 +237,7 @@ void vtkSpherePackingPathTracer::RunPass(Passes& run, unsigned before, unsigned 
   {
     run.TileSeconds[i] += run.Tiles.ComputeSeconds[i];
   }
-  this->State->Most = std::max(this->State->Most, samples);
+  this->Film->NoteSamples(samples);
 }
 
 //------------------------------------------------------------------------------
@@ -296,7 +263,7 @@ void vtkSpherePackingPathTracer::RunPasses(Passes& run)
     if (this->NoiseTarget > 0.0 && samples % SamplesPerCheck == 0 &&
       samples >= static_cast<unsigned>(this->MinimumNumberOfSamples))
     {
-      run.Cells.LeaveOut(samples, this->NoiseTarget);
+      run.Cells.DropConverged(samples, this->NoiseTarget);
     }
   }
 }
@@ -304,38 +271,36 @@ void vtkSpherePackingPathTracer::RunPasses(Passes& run)
 //------------------------------------------------------------------------------
 void vtkSpherePackingPathTracer::Trace(vtkImageData* output)
 {
-  vtkSpherePackingCameraRays camera;
-  this->SetRays(camera);
-  PathLight light;
-  this->SetLight(light);
-  vtkSpherePackingPathState& state = *this->State;
+  const spherepacking::CameraView view = this->FindView();
   const int size[2] = { this->GetWindowSize()[0], this->GetWindowSize()[1] };
   const int tile[2] = { this->GetTileSize()[0], this->GetTileSize()[1] };
-  state.Begin(this->KeyOf(camera), size, static_cast<unsigned>(this->NumberOfSamples));
-  const double before = state.CountSamples();
-  Passes run{ this->Internals->Scene(), camera, light, vtkSpherePackingPathCells(state.Picture),
-    vtkSpherePackingTiles(size, tile), {}, Clock::now() };
+  spherepacking::PathFilm& film = *this->Film;
+  spherepacking::FilmState state{ this->Prepared->State(), view.Rays, size[0], size[1], {},
+    this->SkyImage, this->SkyImage ? this->SkyImage->GetMTime() : 0 };
+  this->SetLight(state.Light);
+  film.Start(state, static_cast<unsigned>(this->NumberOfSamples));
+  const double before = film.CountSamples();
+  Passes run{ this->Prepared->Get(), view, state.Light,
+    spherepacking::AdaptiveCells(film.Picture()), spherepacking::TileLoop(size, tile), {}, {} };
   run.TileSeconds.assign(run.Tiles.Tiles.size(), 0.0);
   this->RunPasses(run);
   // The executive would throw away what is done.
   this->SetAbortOutput(false);
-  state.Rays = camera.Rays;
-  state.From = light.From;
-  this->Develop(state.Picture.Radiance, state.Color);
-  state.Share(output);
-  vtkSpherePackingAddExtents(output, run.Tiles.Tiles);
-  vtkSpherePackingAddField(output, "compute_seconds", run.TileSeconds);
-  vtkSpherePackingAddField(output, "complete_seconds", { run.Seconds() });
-  vtkSpherePackingAddField(output, "build_seconds", { this->Internals->BuildSeconds });
-  vtkSpherePackingAddField(output, "memory_bytes", { this->Internals->Bytes() });
-  vtkSpherePackingAddField(output, "traced_samples", { state.CountSamples() - before });
+  this->ToneMap(film.Picture().Radiance, film.Color());
+  film.ShareWith(output);
+  spherepacking::AddTileExtents(output, run.Tiles.Tiles);
+  AddFieldArray(output, "compute_seconds", run.TileSeconds);
+  AddFieldArray(output, "complete_seconds", { run.Watch.Seconds() });
+  AddFieldArray(output, "build_seconds", { this->Prepared->BuildSeconds() });
+  AddFieldArray(output, "memory_bytes", { this->Prepared->StructureBytes() });
+  AddFieldArray(output, "traced_samples", { film.CountSamples() - before });
 }
 
 //------------------------------------------------------------------------------
 bool vtkSpherePackingPathTracer::Develop(vtkFloatArray* radiance, vtkUnsignedCharArray* color)
 {
-  const vtkIdType pixels =
-    static_cast<vtkIdType>(this->State->Picture.Width) * this->State->Picture.Height;
+  const spherepacking::PathPicture& picture = this->Film->Picture();
+  const vtkIdType pixels = static_cast<vtkIdType>(picture.Width) * picture.Height;
   if (pixels == 0 || !radiance || !color || radiance->GetNumberOfComponents() != 3 ||
     radiance->GetNumberOfTuples() != pixels)
   {
@@ -343,28 +308,28 @@ bool vtkSpherePackingPathTracer::Develop(vtkFloatArray* radiance, vtkUnsignedCha
   }
   color->SetNumberOfComponents(4);
   color->SetNumberOfTuples(pixels);
-  this->Develop(radiance->GetPointer(0), color->GetPointer(0));
+  this->ToneMap(radiance->GetPointer(0), color->GetPointer(0));
   color->Modified();
   return true;
 }
 
 //------------------------------------------------------------------------------
-void vtkSpherePackingPathTracer::Develop(const float* radiance, unsigned char* color) const
+void vtkSpherePackingPathTracer::ToneMap(const float* radiance, unsigned char* color) const
 {
-  const vtkSpherePackingPathState& state = *this->State;
-  const spherepacking::PathPicture& picture = state.Picture;
-  const spherepacking::Developer developer(this->Exposure, this->Filmic);
+  const spherepacking::PathFilm& film = *this->Film;
+  const spherepacking::PathPicture& picture = film.Picture();
+  const spherepacking::ToneMapper mapper(this->Exposure, this->Filmic);
   vtkSMPTools::For(0, picture.Height,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType i = begin * picture.Width; i < end * picture.Width; ++i)
       {
-        const vtkIdType from = state.ShownAt(i, PreviewStride);
+        const vtkIdType from = film.ShownPixel(i, PreviewStride);
         const double coverage = this->SkyVisible ? 1.0 : picture.Coverage[from];
         float sky[3] = { 0.0f, 0.0f, 0.0f };
         if (coverage < 1.0)
         {
-          state.SeeSky(from, sky);
+          film.SkyBehind(from, sky);
         }
         const bool shown = picture.Samples[from] > 0 && coverage > 0.0;
         for (int channel = 0; channel < 3; ++channel)
@@ -372,7 +337,7 @@ void vtkSpherePackingPathTracer::Develop(const float* radiance, unsigned char* c
           // Without the sky, that of the samples that hit a sphere.
           const double own = (radiance[3 * from + channel] - (1.0 - coverage) * sky[channel]) /
             (shown ? coverage : 1.0);
-          color[4 * i + channel] = shown ? developer.Byte(own) : 0;
+          color[4 * i + channel] = shown ? mapper.Byte(own) : 0;
         }
         color[4 * i + 3] = shown ? static_cast<unsigned char>(255.0 * coverage + 0.5) : 0;
       }

@@ -6,7 +6,7 @@
  * Follows paths of light from the camera from sphere to sphere until they end in the sky. Spheres
  * are opaque and matt (Lambert): what they reflect is the albedo times their colour, which the
  * superclass finds. They are lit from outside alone: what is seen from inside of a sphere is as
- * bright as its other side. kernels/PathTile.h says how paths are chosen.
+ * bright as its other side. light/TracePaths.h says how paths are chosen.
  *
  * The output has the point arrays
  *
@@ -31,7 +31,7 @@
  * many the last run added over all pixels. `complete_seconds` and `compute_seconds` are of the last
  * run.
  *
- * Samples (n x n rays) of the superclass does not count.
+ * `Samples` of the superclass is ignored; use `NumberOfSamples`.
  *
  * @sa vtkSpherePackingTracer
  */
@@ -45,10 +45,10 @@
 class vtkFloatArray;
 class vtkImageData;
 class vtkUnsignedCharArray;
-struct vtkSpherePackingPathState;
 
 namespace spherepacking
 {
+class PathFilm;
 struct PathLight;
 }
 
@@ -200,8 +200,7 @@ private:
   void RunPasses(Passes& run);
   bool IsLate(const Passes& run) const;
   void RunPass(Passes& run, unsigned before, unsigned samples, int stride);
-  std::string KeyOf(const vtkSpherePackingCameraRays& camera);
-  void Develop(const float* radiance, unsigned char* color) const;
+  void ToneMap(const float* radiance, unsigned char* color) const;
 
   vtkSmartPointer<vtkImageData> SkyImage;
   int NumberOfSamples = 16;
@@ -220,7 +219,7 @@ private:
   double Exposure = 0.0;
   bool Filmic = false;
   bool SkyVisible = true;
-  std::unique_ptr<vtkSpherePackingPathState> State;
+  std::unique_ptr<spherepacking::PathFilm> Film;
 };
 
 #endif

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSpherePackingReader.h"
 
+#include "bridge/Guard.h"
 #include "io/DumpStepCache.h"
 #include "io/PackingFileError.h"
 #include "io/PackingFormats.h"
@@ -14,7 +15,6 @@
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
-#include <new>
 #include <vector>
 
 using namespace spherepacking;
@@ -68,12 +68,12 @@ int vtkSpherePackingReader::RequestInformation(
   {
     return 1;
   }
-  try
+  const auto work = [&]
   {
     const auto format = static_cast<spherepacking::Format>(this->Format);
     if ((format == Format::Auto ? GuessFormat(this->FileName) : format) != Format::Dump)
     {
-      return 1;
+      return;
     }
     std::vector<double> times;
     for (const DumpStep& step : this->Internal->Steps.Find(this->FileName))
@@ -83,12 +83,17 @@ int vtkSpherePackingReader::RequestInformation(
     const double range[2] = { times.front(), times.back() };
     outInfo->Set(SDDP::TIME_STEPS(), times.data(), static_cast<int>(times.size()));
     outInfo->Set(SDDP::TIME_RANGE(), range, 2);
-  }
-  catch (const PackingFileError&)
-  {
-    // RequestData() meets the same error and reports it; here it would be reported twice.
-  }
+  };
+  // RequestData() meets the same error.
+  RunGuarded(this, this->ErrorMessage, this->OutOfMemory(), work, Report::Later);
   return 1;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkSpherePackingReader::OutOfMemory() const
+{
+  return std::string(this->FileName ? this->FileName : "FileName") +
+    ": not enough memory for the file and its spheres";
 }
 
 //------------------------------------------------------------------------------
@@ -97,25 +102,10 @@ int vtkSpherePackingReader::RequestData(
 {
   vtkInformation* outInfo = outputVector->GetInformationObject(0);
   vtkPolyData* output = vtkPolyData::GetData(outInfo);
-  this->ErrorMessage.clear();
-  this->SetErrorCode(vtkErrorCode::NoError);
-  try
+  const auto work = [&] { this->ReadFile(outInfo, output); };
+  if (RunGuarded(this, this->ErrorMessage, this->OutOfMemory(), work) == Outcome::Done)
   {
-    this->ReadFile(outInfo, output);
     return 1;
-  }
-  catch (const PackingFileError& error)
-  {
-    this->Fail(error.Code, error.what());
-  }
-  catch (const std::bad_alloc&)
-  {
-    this->Fail(vtkErrorCode::UnknownError,
-      std::string(this->FileName) + ": not enough memory for the file and its spheres");
-  }
-  catch (const PackingAborted&)
-  {
-    // Not an error: the pipeline knows, since it asked.
   }
   output->Initialize();
   // The next update tries again. A return of 0 would do that too, but then the executive reports
@@ -166,12 +156,4 @@ void vtkSpherePackingReader::ReadFile(vtkInformation* outInfo, vtkPolyData* outp
     default:
       ReadTextTable(options, format, progress).MoveTo(output);
   }
-}
-
-//------------------------------------------------------------------------------
-void vtkSpherePackingReader::Fail(unsigned long code, const std::string& message)
-{
-  this->ErrorMessage = message;
-  this->SetErrorCode(code);
-  vtkErrorMacro(<< message);
 }

@@ -123,7 +123,7 @@ private:
   void operator=(const vtkSpherePackingReader&) = delete;
 
   void ReadFile(vtkInformation* outInfo, vtkPolyData* output);
-  void Fail(unsigned long code, const std::string& message);
+  std::string OutOfMemory() const;
 
   char* FileName = nullptr;
   int Format = AUTO;

@@ -16,7 +16,7 @@
  * The camera's clipping planes do not count. From inside a sphere its far side is seen. Where two
  * surfaces are equally far the lower id is seen. The structure never changes the picture, to the
  * last bit, unless the camera is more than 10^9 times as far away as the packing is large; how
- * exact the picture is says kernels/RaySphere.h. Packings smaller than 10^-30 and coordinates
+ * exact the picture is says trace/RaySphere.h. Packings smaller than 10^-30 and coordinates
  * beyond 10^30 are an error.
  *
  * Spheres have the colour that the lookup table gives their scalars, or random colours of their
@@ -41,20 +41,18 @@
 #include "vtkSmartPointer.h"            // for the camera and the colours
 #include "vtkSpherePackingCoreModule.h" // for the export macro
 
-#include <memory> // for std::unique_ptr
-#include <string> // for std::string
-#include <vector> // for colours
+#include <functional> // for rays that are still to be checked
+#include <memory>     // for std::unique_ptr
+#include <string>     // for std::string
 
-class vtkAbstractArray;
 class vtkCamera;
 class vtkPolyData;
 class vtkScalarsToColors;
-class vtkDataArray;
-struct vtkSpherePackingCameraRays;
-struct vtkSpherePackingTracerInternals;
 
 namespace spherepacking
 {
+class PreparedScene;
+struct CameraView;
 struct Ray;
 }
 
@@ -193,23 +191,18 @@ protected:
   virtual void Trace(vtkImageData* output);
 
   /**
-   * Throws a std::invalid_argument for a camera that sees nothing.
+   * The rays of the camera; a std::invalid_argument for one that sees nothing.
    */
-  void SetRays(vtkSpherePackingCameraRays& camera);
+  spherepacking::CameraView FindView() const;
 
-  std::unique_ptr<vtkSpherePackingTracerInternals> Internals;
+  std::unique_ptr<spherepacking::PreparedScene> Prepared;
 
 private:
   vtkSpherePackingTracer(const vtkSpherePackingTracer&) = delete;
   void operator=(const vtkSpherePackingTracer&) = delete;
-  int Fail(const std::string& message);
-  bool IsPrepared(vtkPolyData* packing) const;
   void Prepare(vtkPolyData* packing);
-  void BuildStructure(vtkPolyData* packing, vtkDataArray* radii);
-  void FindColors(vtkPolyData* packing);
-  void MapColors(
-    vtkPolyData* packing, vtkAbstractArray* scalars, std::vector<unsigned char>& colors) const;
-  vtkIdType Cast(const spherepacking::Ray& ray, double& t, double normal[3]);
+  void UpdateColors(vtkPolyData* packing);
+  vtkIdType Cast(const std::function<spherepacking::Ray()>& makeRay, double& t, double normal[3]);
 
   vtkSmartPointer<vtkCamera> Camera;
   vtkSmartPointer<vtkScalarsToColors> LookupTable;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSpherePackingWriter.h"
 
+#include "bridge/Guard.h"
 #include "io/PackingFileError.h"
 #include "io/Progress.h"
 #include "io/WritePacking.h"
@@ -53,9 +54,11 @@ int vtkSpherePackingWriter::Write()
   this->SetErrorCode(vtkErrorCode::NoError);
   if (this->GetNumberOfInputConnections(0) == 0)
   {
-    this->ErrorMessage = "the writer has no input, expected a packing";
-    this->SetErrorCode(vtkErrorCode::UnknownError);
-    vtkErrorMacro(<< this->ErrorMessage);
+    const auto work = []
+    {
+      throw CodedError(vtkErrorCode::UnknownError, "the writer has no input, expected a packing");
+    };
+    RunGuarded(this, this->ErrorMessage, {}, work);
     return 0;
   }
   this->Update();
@@ -66,21 +69,10 @@ int vtkSpherePackingWriter::Write()
 int vtkSpherePackingWriter::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
-  try
-  {
-    this->WriteFile(vtkPolyData::GetData(inputVector[0]));
-    this->Written = true;
-  }
-  catch (const PackingFileError& error)
-  {
-    this->ErrorMessage = error.what();
-    this->SetErrorCode(error.Code);
-    vtkErrorMacro(<< this->ErrorMessage);
-  }
-  catch (const PackingAborted&)
-  {
-    // Not an error: whoever aborted knows, and Write() returns 0.
-  }
+  const auto work = [&] { this->WriteFile(vtkPolyData::GetData(inputVector[0])); };
+  const std::string file = this->FileName ? this->FileName : "FileName";
+  this->Written = RunGuarded(this, this->ErrorMessage, file + ": not enough memory to write it",
+                    work) == Outcome::Done;
   // 1 even after an error, since the executive would otherwise report another one.
   return 1;
 }

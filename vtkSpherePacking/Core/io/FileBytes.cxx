@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/FileBytes.h"
 
-#include "io/HugePages.h"
+#include "base/HugePages.h"
 #include "io/PackingFileError.h"
 #include "io/Progress.h"
 

@@ -2,8 +2,8 @@
 #ifndef PackingFileError_h
 #define PackingFileError_h
 
-#include <cstddef>
-#include <stdexcept>
+#include "bridge/Guard.h"
+
 #include <string>
 
 namespace spherepacking
@@ -13,21 +13,10 @@ namespace spherepacking
  * was expected, with its vtkErrorCode. Thrown only in the thread that runs the algorithm, which
  * turns it into vtkErrorMacro; worker threads report by value.
  */
-class PackingFileError : public std::runtime_error
+class PackingFileError : public CodedError
 {
 public:
-  PackingFileError(unsigned long code, const std::string& message)
-    : std::runtime_error(message)
-    , Code(code)
-  {
-  }
-
-  unsigned long Code;
-};
-
-/// Thrown where a request to abort was seen, so that no half of a packing is handed on.
-struct PackingAborted
-{
+  using CodedError::CodedError;
 };
 
 /// A format error in a line of a file: "FILE, line N: WHAT".

@@ -2,7 +2,7 @@
 #ifndef PackingFormats_h
 #define PackingFormats_h
 
-#include "io/PackingArrays.h"
+#include "bridge/PackingArrays.h"
 #include "io/Progress.h"
 
 #include <string>

@@ -31,7 +31,7 @@ public:
     this->To = to;
   }
 
-  /// `fraction` of the current range is done. Throws PackingAborted when asked to stop.
+  /// `fraction` of the current range is done. Throws an AbortRequest when asked to stop.
   void Report(double fraction)
   {
     if (!this->Algorithm)
@@ -41,7 +41,7 @@ public:
     this->Algorithm->UpdateProgress(this->From + fraction * (this->To - this->From));
     if (this->Algorithm->CheckAbort())
     {
-      throw PackingAborted();
+      throw AbortRequest();
     }
   }
 

@@ -2,7 +2,7 @@
 #ifndef TextTable_h
 #define TextTable_h
 
-#include "io/PackingArrays.h"
+#include "bridge/PackingArrays.h"
 #include "io/Progress.h"
 #include "io/TableLayout.h"
 #include "io/TextChunks.h"

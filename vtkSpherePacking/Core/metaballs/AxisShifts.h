@@ -7,7 +7,7 @@
 #ifndef AxisShifts_h
 #define AxisShifts_h
 
-#include "kernels/Simd.h"
+#include "base/Simd.h"
 #include "metaballs/MultiIndex.h"
 
 namespace spherepacking

@@ -2,7 +2,7 @@
 #ifndef Charges_h
 #define Charges_h
 
-#include "kernels/BuildBvh.h"
+#include "base/ParallelFor.h"
 
 #include <cstdint>
 #include <vector>

@@ -2,7 +2,7 @@
 #ifndef Exponential_h
 #define Exponential_h
 
-#include "kernels/Simd.h"
+#include "base/Simd.h"
 
 #include <initializer_list>
 #include <type_traits>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "metaballs/FieldMesh.h"
 
-#include "kernels/Processor.h"
+#include "base/Dispatch.h"
 #include "metaballs/Blobs.h"
 #include "metaballs/MeshCells.h"
 #include "metaballs/MeshKernel.h"

@@ -3,7 +3,7 @@
 #ifndef FieldMesh_h
 #define FieldMesh_h
 
-#include "kernels/HugeArray.h"
+#include "base/HugeArray.h"
 #include "metaballs/Charges.h"
 #include "metaballs/FieldGrid.h"
 #include "metaballs/GaussianSum.h"

@@ -4,7 +4,7 @@
 
 #include "metaballs/BlockSum.h"
 #include "metaballs/ClusterQueues.h"
-#include "metaballs/LocalVector.h"
+#include "base/LocalVector.h"
 #include "metaballs/TruncationError.h"
 
 #include <memory>

@@ -3,7 +3,7 @@
 #ifndef LeafMoments_h
 #define LeafMoments_h
 
-#include "kernels/Simd.h"
+#include "base/Simd.h"
 #include "metaballs/Moments.h"
 
 namespace spherepacking

@@ -3,7 +3,7 @@
 #define MeshPatch_h
 
 #include "metaballs/FieldMesh.h"
-#include "metaballs/LocalVector.h"
+#include "base/LocalVector.h"
 
 #include <algorithm>
 

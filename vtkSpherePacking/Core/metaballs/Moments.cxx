@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "metaballs/Moments.h"
 
-#include "kernels/Processor.h"
+#include "base/Dispatch.h"
 #include "metaballs/MomentsKernel.h"
 
 #if defined(SPHEREPACKING_HAS_AVX2)

@@ -2,8 +2,8 @@
 #ifndef Moments_h
 #define Moments_h
 
-#include "kernels/BuildBvh.h"
-#include "kernels/HugeArray.h"
+#include "base/ParallelFor.h"
+#include "base/HugeArray.h"
 #include "metaballs/Charges.h"
 #include "metaballs/FieldGrid.h"
 #include "metaballs/MultiIndex.h"

@@ -4,7 +4,7 @@
 
 #include "metaballs/BlockSum.h"
 #include "metaballs/FieldScene.h"
-#include "metaballs/LocalVector.h"
+#include "base/LocalVector.h"
 
 #include <memory>
 

@@ -2,7 +2,7 @@
 #ifndef PowerDerivatives_h
 #define PowerDerivatives_h
 
-#include "kernels/Simd.h"
+#include "base/Simd.h"
 #include "metaballs/TranslationIndex.h"
 
 namespace spherepacking

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "kernels/Processor.h"
+#include "base/Dispatch.h"
 #include "metaballs/FieldKernel.h"
 
 #if defined(SPHEREPACKING_HAS_AVX2)

@@ -41,7 +41,7 @@
 #ifndef TruncationError_h
 #define TruncationError_h
 
-#include "kernels/Simd.h"
+#include "base/Simd.h"
 #include "metaballs/MultiIndex.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #ifndef ClearanceBound_h
 #define ClearanceBound_h
 
-#include "packer/Vector3.h"
+#include "base/Vector3.h"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 #ifndef LineCrossing_h
 #define LineCrossing_h
 
-#include "packer/Vector3.h"
+#include "base/Vector3.h"
 
 #include <algorithm>
 

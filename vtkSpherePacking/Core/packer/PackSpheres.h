@@ -2,7 +2,7 @@
 #ifndef PackSpheres_h
 #define PackSpheres_h
 
-#include "kernels/BuildBvh.h"
+#include "base/ParallelFor.h"
 #include "packer/ClearanceTree.h"
 
 #include <functional>

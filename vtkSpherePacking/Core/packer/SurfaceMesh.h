@@ -2,7 +2,7 @@
 #ifndef SurfaceMesh_h
 #define SurfaceMesh_h
 
-#include "packer/Vector3.h"
+#include "base/Vector3.h"
 
 #include <array>
 #include <cstdint>

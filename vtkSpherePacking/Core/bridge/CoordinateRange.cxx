@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "bridge/CoordinateRange.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+namespace spherepacking
+{
+namespace
+{
+// Single precision goes from about 1e-38 to 3e38.
+constexpr double Least = 1e-30;
+constexpr double Most = 1e30;
+}
+
+//------------------------------------------------------------------------------
+void CheckFinite(const double (&bounds)[6])
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (!std::isfinite(bounds[2 * axis + 1] - bounds[2 * axis]))
+    {
+      std::ostringstream message;
+      message << "the spheres reach from " << bounds[2 * axis] << " to " << bounds[2 * axis + 1]
+              << " along " << "xyz"[axis] << ", expected less than double precision can hold";
+      throw std::invalid_argument(message.str());
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void CheckCoordinateRange(const double (&bounds)[6])
+{
+  CheckFinite(bounds);
+  double length = 0.0;
+  double farthest = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double low = bounds[2 * axis];
+    const double high = bounds[2 * axis + 1];
+    length = std::max(length, high - low);
+    farthest = std::max(farthest, std::max(std::abs(low), std::abs(high)));
+  }
+  // Spheres of radius 0 at one point are not seen anyway.
+  if (farthest > Most || (length > 0.0 && length < Least))
+  {
+    std::ostringstream message;
+    message << "packing: found spheres over a length of " << length << " at coordinates up to "
+            << farthest << ", expected a length from " << Least << " on and coordinates up to "
+            << Most;
+    throw std::invalid_argument(message.str());
+  }
+}
+}

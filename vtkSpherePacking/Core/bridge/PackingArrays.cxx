@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "bridge/PackingArrays.h"
+
+#include "base/HugePages.h"
+
+#include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
+#include "vtkTypeInt32Array.h"
+#include "vtkTypeInt64Array.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+namespace spherepacking
+{
+namespace
+{
+vtkSmartPointer<vtkDataArray> NewArray(
+  bool single, const char* name, int components, vtkIdType count)
+{
+  vtkSmartPointer<vtkDataArray> array;
+  if (single)
+  {
+    array = vtkSmartPointer<vtkFloatArray>::New();
+  }
+  else
+  {
+    array = vtkSmartPointer<vtkDoubleArray>::New();
+  }
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(count);
+  AdviseHugePages(array->GetVoidPointer(0), array->GetDataTypeSize() * array->GetNumberOfValues());
+  return array;
+}
+
+// The offsets are implied, so a vertex costs one index of 4 bytes (8 beyond 2^31 spheres) rather
+// than the 16 bytes of vtkCellArray's default storage.
+template <typename IndexArrayT>
+void SetVertices(vtkCellArray* vertices, vtkIdType count)
+{
+  using ValueT = typename IndexArrayT::ValueType;
+  vtkNew<IndexArrayT> indices;
+  indices->SetNumberOfValues(count);
+  ValueT* values = indices->GetPointer(0);
+  vtkSMPTools::For(0, count, vtkSMPTools::THRESHOLD, [values](vtkIdType first, vtkIdType last)
+    { std::iota(values + first, values + last, static_cast<ValueT>(first)); });
+  vertices->SetData(1, indices);
+}
+}
+
+//------------------------------------------------------------------------------
+PackingArrays::PackingArrays(vtkIdType count, bool single)
+  : Count(count)
+  , Single(single)
+  , CentreArray(NewArray(single, "Points", 3, count))
+  , RadiusArray(NewArray(single, "radius", 1, count))
+{
+}
+
+//------------------------------------------------------------------------------
+double* PackingArrays::AddExtra(const std::string& name)
+{
+  this->Extras.push_back(NewArray(false, name.c_str(), 1, this->Count));
+  return vtkDoubleArray::FastDownCast(this->Extras.back())->GetPointer(0);
+}
+
+//------------------------------------------------------------------------------
+void PackingArrays::RemoveExtra(const double* values)
+{
+  const auto found = std::find_if(this->Extras.begin(), this->Extras.end(),
+    [values](vtkDataArray* array) { return array->GetVoidPointer(0) == values; });
+  this->Extras.erase(found);
+}
+
+//------------------------------------------------------------------------------
+void PackingArrays::MoveTo(vtkPolyData* output)
+{
+  vtkNew<vtkPoints> points;
+  points->SetData(this->CentreArray);
+  output->SetPoints(points);
+
+  // PyVista makes a vertex for every point of a PolyData, and its plots and filters go by cells:
+  // without them n_cells is 0, add_mesh draws nothing and threshold returns nothing.
+  vtkNew<vtkCellArray> vertices;
+  if (this->Count <= std::numeric_limits<vtkTypeInt32>::max())
+  {
+    SetVertices<vtkTypeInt32Array>(vertices, this->Count);
+  }
+  else
+  {
+    SetVertices<vtkTypeInt64Array>(vertices, this->Count);
+  }
+  output->SetVerts(vertices);
+
+  output->GetPointData()->SetScalars(this->RadiusArray);
+  for (const auto& extra : this->Extras)
+  {
+    output->GetPointData()->AddArray(extra);
+  }
+}
+}

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "bridge/PackingSpheres.h"
+
+#include "vtkArrayDispatch.h"
+#include "vtkDataArray.h"
+#include "vtkDataArrayRange.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSpherePackingInput.h"
+
+#include <stdexcept>
+
+namespace spherepacking
+{
+namespace
+{
+struct CopyValues
+{
+  template <typename ArrayT>
+  void operator()(ArrayT* array, std::vector<double>& copy)
+  {
+    const auto values = vtk::DataArrayValueRange(array);
+    copy.assign(values.begin(), values.end());
+  }
+};
+
+// Points one of the pointers at the values, of which `copy` is one if they are of another type.
+void Use(
+  vtkDataArray* array, const float*& floats, const double*& doubles, std::vector<double>& copy)
+{
+  if (auto* floatArray = vtkFloatArray::FastDownCast(array))
+  {
+    floats = floatArray->GetPointer(0);
+  }
+  else if (auto* doubleArray = vtkDoubleArray::FastDownCast(array))
+  {
+    doubles = doubleArray->GetPointer(0);
+  }
+  else
+  {
+    CopyValues worker;
+    if (!vtkArrayDispatch::Dispatch::Execute(array, worker, copy))
+    {
+      worker(array, copy);
+    }
+    doubles = copy.data();
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+vtkDataArray* RadiiOf(vtkPolyData* packing, const std::string& name)
+{
+  vtkNew<vtkSpherePackingInput> input;
+  vtkDataArray* radii = input->FindRadii(packing, name.c_str());
+  if (*input->GetMessage())
+  {
+    throw std::invalid_argument(input->GetMessage());
+  }
+  return radii;
+}
+
+//------------------------------------------------------------------------------
+PackingSpheres::PackingSpheres(vtkPolyData* packing, vtkDataArray* radii)
+{
+  if (radii && radii->GetNumberOfTuples() > 0)
+  {
+    this->Spheres.Count = radii->GetNumberOfTuples();
+    Use(packing->GetPoints()->GetData(), this->Spheres.FloatCenters, this->Spheres.DoubleCenters,
+      this->Centers);
+    Use(radii, this->Spheres.FloatRadii, this->Spheres.DoubleRadii, this->Radii);
+  }
+}
+}

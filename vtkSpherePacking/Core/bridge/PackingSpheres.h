@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PackingSpheres_h
+#define PackingSpheres_h
+
+#include "base/SphereArrays.h"
+
+#include <string>
+#include <vector>
+
+class vtkDataArray;
+class vtkPolyData;
+
+namespace spherepacking
+{
+/// The radii of a packing, null for one without points; what vtkSpherePackingInput finds wrong is a
+/// std::invalid_argument.
+vtkDataArray* RadiiOf(vtkPolyData* packing, const std::string& name);
+
+/// The spheres of a packing for those who know no VTK. Centres and radii that are floats or doubles
+/// side by side are used where they are, which has to outlive this; others are copied as doubles.
+/// `radii` is what RadiiOf() found; null gives no spheres.
+class PackingSpheres
+{
+public:
+  PackingSpheres(vtkPolyData* packing, vtkDataArray* radii);
+  PackingSpheres(const PackingSpheres&) = delete;
+  void operator=(const PackingSpheres&) = delete;
+
+  const SphereArrays& Get() const { return this->Spheres; }
+
+private:
+  SphereArrays Spheres;
+  std::vector<double> Centers; // copies, if needed
+  std::vector<double> Radii;
+};
+}
+
+#endif

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// A coordinate of a block of rays, as a covector in the hierarchy's coordinates.
+#ifndef BlockAxis_h
+#define BlockAxis_h
+
+#include "accel/Bvh.h"
+#include "trace/CameraRays.h"
+#include "base/Simd.h"
+
+namespace spherepacking
+{
+inline namespace SPHEREPACKING_ISA
+{
+/// A product with a covector, single precision. It is wrong by `Error` at most: 10^-6 of what was
+/// added up, some ten roundings.
+struct BlockAxis
+{
+  float N[3];
+  float D; ///< of the middle of the hierarchy as seen from the eye
+  float Error;
+  // Of the covector with itself and with that of the depth, and of that with itself; the latter
+  // two only where the depth is divided by.
+  float Square = 0.0f;
+  float Mixed = 0.0f;
+  float SquareZ = 0.0f;
+
+  void Set(const Vector& covector, double scale, double offset, const Vector& eye, const Bvh& bvh)
+  {
+    double d = 0.0;
+    double length = 0.0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double n = covector[axis] * scale;
+      this->N[axis] = static_cast<float>(n);
+      d += n * (bvh.Center[axis] - eye[axis]) * bvh.Scale;
+      length += std::abs(n);
+    }
+    this->D = static_cast<float>(d + offset);
+    this->Error = static_cast<float>(1e-6 * (length + std::abs(d + offset)));
+  }
+
+  /// Of eight points.
+  Float8 Dot(const Float8 (&point)[3]) const
+  {
+    return this->N[0] * point[0] + this->N[1] * point[1] + this->N[2] * point[2] + this->D;
+  }
+
+  /// The least of each of eight boxes, or the greatest, error included.
+  Float8 Least(const BvhNode& node) const { return this->Corners(node, false) - this->Error; }
+  Float8 Greatest(const BvhNode& node) const { return this->Corners(node, true) + this->Error; }
+
+private:
+  Float8 Corners(const BvhNode& node, bool greatest) const
+  {
+    Float8 sum = Float8{} + this->D;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const float n = this->N[axis];
+      sum += n * Load<Float8>((n > 0.0f) == greatest ? node.High[axis] : node.Low[axis]);
+    }
+    return sum;
+  }
+};
+}
+}
+
+#endif

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// The rays of 16 x 16 neighbouring points of a picture and what each has hit so far.
+#ifndef RayBlock_h
+#define RayBlock_h
+
+#include "trace/CameraRays.h"
+
+#include <cmath>
+
+namespace spherepacking
+{
+inline namespace SPHEREPACKING_ISA
+{
+/// Which rays of a block may hit something: columns and rows, first to last.
+struct BlockPart
+{
+  int X0 = 0;
+  int X1 = 15;
+  int Y0 = 0;
+  int Y1 = 15;
+
+  /// Which cells of 4 x 4 rays it lies in, a bit each, row by row.
+  unsigned Cells() const
+  {
+    const unsigned columns = (2u << this->X1 / 4) - (1u << this->X0 / 4);
+    const unsigned rows = ((16u << (this->Y1 & ~3)) - (1u << (this->Y0 & ~3))) & 0x1111u;
+    return columns * rows;
+  }
+};
+
+struct RayBlock
+{
+  static constexpr int Side = 16;
+  static constexpr int CellsSide = Side / 4;
+  static constexpr int Lanes = 4; ///< rays that are tested at once
+  static constexpr int Count = Side * Side;
+
+  // One array a coordinate, row by row from the bottom.
+  alignas(64) double OX[Count];
+  alignas(64) double OY[Count];
+  alignas(64) double OZ[Count];
+  alignas(64) double DX[Count];
+  alignas(64) double DY[Count];
+  alignas(64) double DZ[Count];
+  alignas(64) double InverseSquare[Count];
+  alignas(64) double T[Count];
+  alignas(64) std::int64_t Key[Count]; ///< MakeKey() of the sphere, negative for none
+  double X0;                           ///< of the first ray in the picture
+  double Y0;
+
+  /// Rays through (x0 + i, y0 + j), i and j from 0 to 15.
+  void Start(const CameraRays& rays, double x0, double y0)
+  {
+    this->X0 = x0;
+    this->Y0 = y0;
+    const Hit none;
+    for (int i = 0; i < Count; ++i)
+    {
+      const Ray ray = rays.At(x0 + i % Side, y0 + i / Side);
+      this->OX[i] = ray.O[0];
+      this->OY[i] = ray.O[1];
+      this->OZ[i] = ray.O[2];
+      this->DX[i] = ray.D[0];
+      this->DY[i] = ray.D[1];
+      this->DZ[i] = ray.D[2];
+      this->InverseSquare[i] = spherepacking::InverseSquare(ray);
+      this->T[i] = none.T;
+      this->Key[i] = none.Id;
+    }
+  }
+
+  Ray RayAt(int i) const
+  {
+    return { { this->OX[i], this->OY[i], this->OZ[i] }, { this->DX[i], this->DY[i], this->DZ[i] } };
+  }
+
+  /// Tests a sphere, which has no hit before `nearest`, against the rays of `part`, and some beside
+  /// them. Returns whether it is hit first by any.
+  bool Offer(const Sphere& sphere, std::int64_t key, const BlockPart& part, double nearest)
+  {
+    bool closer = false;
+    for (int row = part.Y0; row <= part.Y1; ++row)
+    {
+      for (int quad = part.X0 / Lanes; quad <= part.X1 / Lanes; ++quad)
+      {
+        const int first = row * Side + quad * Lanes;
+        if (Any(nearest <= Load<Double4>(this->T + first)))
+        {
+          closer |= this->OfferLanes(sphere, key, first);
+        }
+      }
+    }
+    return closer;
+  }
+
+  /// The farthest of the first hits in a cell of 4 x 4 rays.
+  double LastDepth(int cell) const
+  {
+    static_assert(Side == CellsSide * Lanes);
+    const double* first = this->T + cell / CellsSide * Lanes * Side + cell % CellsSide * Lanes;
+    Double4 last = Load<Double4>(first);
+    for (int row = 1; row < Lanes; ++row)
+    {
+      const Double4 next = Load<Double4>(first + row * Side);
+      last = last > next ? last : next;
+    }
+    return std::max(std::max(last[0], last[1]), std::max(last[2], last[3]));
+  }
+
+private:
+  bool OfferLanes(const Sphere& sphere, std::int64_t key, int first)
+  {
+    const auto load = [first](const double* values) { return Load<Double4>(values + first); };
+    const Double4 t = HitSphere<Double4>(sphere.X - load(this->OX), sphere.Y - load(this->OY),
+      sphere.Z - load(this->OZ), sphere.R, load(this->DX), load(this->DY), load(this->DZ),
+      load(this->InverseSquare));
+    const Double4 best = load(this->T);
+    const Long4 bestKey = Load<Long4>(this->Key + first);
+    const Long4 closer = (t < best) | ((t == best) & (key < bestKey));
+    Store(closer ? t : best, this->T + first);
+    Store(closer ? Long4{} + key : bestKey, this->Key + first);
+    return Any(closer);
+  }
+};
+}
+}
+
+#endif
