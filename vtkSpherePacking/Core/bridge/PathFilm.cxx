@@ -148,8 +148,8 @@ void PathFilm::Clear()
   {
     std::fill_n(three, 3 * pixels, 0.0f);
   }
-  std::fill_n(picture.Depth, pixels, std::numeric_limits<float>::infinity());
-  std::fill_n(picture.Id, pixels, -1);
+  std::fill_n(picture.Depth, pixels, Miss::Depth);
+  std::fill_n(picture.Id, pixels, Miss::Id);
   std::fill_n(picture.Variance, pixels, 0.0f);
   std::fill_n(picture.Coverage, pixels, 0.0f);
   std::fill_n(picture.Samples, pixels, 0u);

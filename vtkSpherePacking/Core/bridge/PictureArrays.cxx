@@ -88,9 +88,9 @@ void ClearTile(const Picture& picture, const Tile& tile)
   {
     const std::int64_t first = static_cast<std::int64_t>(y) * picture.Width + tile.X;
     std::fill_n(picture.Color + 4 * first, 4 * tile.Width, static_cast<unsigned char>(0));
-    std::fill_n(picture.Depth + first, tile.Width, std::numeric_limits<float>::infinity());
+    std::fill_n(picture.Depth + first, tile.Width, Miss::Depth);
     std::fill_n(picture.Normal + 3 * first, 3 * tile.Width, 0.0f);
-    std::fill_n(picture.Id + first, tile.Width, -1);
+    std::fill_n(picture.Id + first, tile.Width, Miss::Id);
   }
 }
 }

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// The paths of a block of pixels on their way from sphere to sphere.
 #ifndef PathBlock_h
 #define PathBlock_h
 
@@ -13,13 +12,13 @@ namespace spherepacking
 {
 inline namespace SPHEREPACKING_ISA
 {
-/// A path on its way, at the outside of a sphere.
+/// A path on its way from the camera, at the outside of a sphere.
 struct Path
 {
   Vector Point;
   Vector Normal;
-  std::int64_t Id;
-  float Weight[3]; ///< what light counts that goes from here to the camera
+  std::int64_t Id;     ///< of the sphere, negative for none
+  float Throughput[3]; ///< what part of the light that leaves here reaches the camera
   float Radiance[3];
   float FirstAlbedo[3];
   float FirstNormal[3];
@@ -28,7 +27,7 @@ struct Path
   int Ray;             ///< of the block
 
   /// Puts the path on a sphere, where its normal is `Normal`.
-  void Start(const Sphere& sphere, std::int64_t id)
+  void PlaceOn(const Sphere& sphere, std::int64_t id)
   {
     // From the sphere, which keeps its digits however far the ray has come.
     this->Point[0] = sphere.X + sphere.R * this->Normal[0];
@@ -38,7 +37,7 @@ struct Path
   }
 };
 
-/// Follows the paths of a block, all from sphere to sphere at the same time.
+/// Traces the paths of a block, all of them bounce by bounce, so that their rays make streams.
 class PathBlock
 {
 public:
@@ -46,7 +45,7 @@ public:
   int Count = 0;
 
   PathBlock(const Scene& scene, const PathLight& light)
-    : In(scene)
+    : Input(scene)
     , Light(light)
   {
     // Colours are sRGB (IEC 61966-2-1).
@@ -62,12 +61,12 @@ public:
   {
     for (int channel = 0; channel < 3; ++channel)
     {
-      albedo[channel] = this->Linear[this->In.Colors[4 * id + channel]];
+      albedo[channel] = this->Linear[this->Input.Colors[4 * id + channel]];
     }
   }
 
   /// Adds to the radiance of each path what comes from all later spheres, the sky and the sun.
-  void Follow()
+  void Trace()
   {
     int active = 0;
     for (int i = 0; i < this->Count; ++i)
@@ -79,31 +78,32 @@ public:
     }
     for (int bounce = 1; bounce <= this->Light.MaxBounces && active > 0; ++bounce)
     {
-      const int pair = PairsPerBounce * (bounce - 1);
+      const int dimension = PairsPerBounce * (bounce - 1);
       if (this->Light.Sun.Shines())
       {
-        this->AddSun(active, pair + SunPair);
+        this->SampleSun(active, dimension + SunPair);
       }
       if (this->Light.Sky.CanSample())
       {
-        this->AddSky(active, pair + SkyPair);
+        this->SampleSky(active, dimension + SkyPair);
       }
-      if (bounce > FirstBounces)
+      if (bounce > BouncesBeforeRoulette)
       {
-        active = this->EndByChance(active, pair + RoulettePair);
+        active = this->RussianRoulette(active, dimension + RoulettePair);
       }
-      active = this->GoOn(active, pair + DirectionPair, bounce == this->Light.MaxBounces);
+      active = this->Scatter(active, dimension + DirectionPair, bounce == this->Light.MaxBounces);
     }
   }
 
 private:
-  // Pairs of a bounce; pair 0 is the point in the pixel, pair 1 hangs together with it.
+  // Pairs of dimensions of the sampler, per bounce. Pair 0 is the point in the pixel, and pair 1
+  // makes four-dimensional points with it.
   static constexpr int DirectionPair = 1;
   static constexpr int SunPair = 2;
   static constexpr int SkyPair = 3;
   static constexpr int RoulettePair = 4;
   static constexpr int PairsPerBounce = 4;
-  static constexpr int FirstBounces = 3; // after which paths may be ended by chance
+  static constexpr int BouncesBeforeRoulette = 3;
   static constexpr double InversePi = 0.3183098861837907;
 
   static Point2 PointOf(const Path& path, int pair)
@@ -111,38 +111,41 @@ private:
     return OwenSobol(path.Seed).At(path.Index, pair);
   }
 
-  void Send(const Path& path, const Vector& d)
+  void PushRay(const Path& path, const Vector& d)
   {
     const int i = this->Stream.Count++;
     this->Stream.Rays[i] = { { path.Point[0], path.Point[1], path.Point[2] },
       { d[0], d[1], d[2] } };
-    this->Stream.Left[i] = path.Id;
+    this->Stream.OriginSphere[i] = path.Id;
   }
 
-  // Ends paths, or lets them count for those that were.
-  int EndByChance(int active, int pair)
+  // Russian roulette: ends paths by chance, and lets the survivors count for them. Returns how many
+  // these are.
+  int RussianRoulette(int active, int pair)
   {
-    int left = 0;
+    int survivors = 0;
     for (int k = 0; k < active; ++k)
     {
       Path& path = this->Paths[this->Active[k]];
-      const float largest = std::max(path.Weight[0], std::max(path.Weight[1], path.Weight[2]));
-      const float share = std::min(1.0f, largest);
-      if (PointOf(path, pair).X < share)
+      const float largest =
+        std::max(path.Throughput[0], std::max(path.Throughput[1], path.Throughput[2]));
+      const float survival = std::min(1.0f, largest);
+      if (PointOf(path, pair).X < survival)
       {
-        for (float& channel : path.Weight)
+        for (float& channel : path.Throughput)
         {
-          channel /= share;
+          channel /= survival;
         }
-        this->Active[left++] = this->Active[k];
+        this->Active[survivors++] = this->Active[k];
       }
     }
-    return left;
+    return survivors;
   }
 
-  // Sends the paths to the next sphere, or after the last one to see whether there is any. Returns
-  // how many arrive.
-  int GoOn(int active, int pair, bool last)
+  // Samples the BSDF (Lambert): sends each path on to the closest sphere, or, after its last
+  // bounce, to see whether there is any. Those that escape see the sky. Returns how many hit a
+  // sphere.
+  int Scatter(int active, int pair, bool last)
   {
     this->Stream.Count = 0;
     for (int k = 0; k < active; ++k)
@@ -150,21 +153,22 @@ private:
       const Path& path = this->Paths[this->Active[k]];
       Vector d;
       CosineDirection(path.Normal, PointOf(path, pair), d);
-      this->Send(path, d);
+      this->PushRay(path, d);
     }
     if (last)
     {
-      this->Stream.Trace<true>(this->In);
+      this->Stream.Trace<true>(this->Input);
     }
     else
     {
-      this->Stream.Trace<false>(this->In);
+      this->Stream.Trace<false>(this->Input);
     }
     for (int k = 0; k < active && !last; ++k)
     {
-      __builtin_prefetch(this->In.Colors + 4 * std::max<std::int64_t>(this->Stream.Hits[k].Id, 0));
+      __builtin_prefetch(
+        this->Input.Colors + 4 * std::max<std::int64_t>(this->Stream.Hits[k].Id, 0));
     }
-    int left = 0;
+    int scattered = 0;
     for (int k = 0; k < active; ++k)
     {
       Path& path = this->Paths[this->Active[k]];
@@ -172,44 +176,46 @@ private:
       const Ray& ray = this->Stream.Rays[k];
       if (hit.Id < 0)
       {
-        this->AddRadiance(path, ray.D, this->ChanceShare(path, ray.D));
+        this->AddSkyRadiance(path, ray.D, this->MisWeight(path, ray.D));
       }
       else if (!last)
       {
-        this->Move(path, ray, hit);
-        this->Active[left++] = this->Active[k];
+        this->MoveTo(path, ray, hit);
+        this->Active[scattered++] = this->Active[k];
       }
     }
-    return left;
+    return scattered;
   }
 
-  void Move(Path& path, const Ray& ray, const Hit& hit) const
+  void MoveTo(Path& path, const Ray& ray, const Hit& hit) const
   {
     const Sphere& sphere = hit.On;
     NormalAt(ray, sphere, InverseSquare(ray), path.Normal);
-    path.Start(sphere, hit.Id);
+    path.PlaceOn(sphere, hit.Id);
     float albedo[3];
     this->AlbedoOf(hit.Id, albedo);
     for (int channel = 0; channel < 3; ++channel)
     {
-      path.Weight[channel] *= albedo[channel];
+      path.Throughput[channel] *= albedo[channel];
     }
   }
 
-  void AddRadiance(Path& path, const Vector& d, double share) const
+  void AddSkyRadiance(Path& path, const Vector& d, double weight) const
   {
     float sky[3];
     this->Light.Sky.Radiance(d, sky);
     for (int channel = 0; channel < 3; ++channel)
     {
-      path.Radiance[channel] += static_cast<float>(share) * path.Weight[channel] * sky[channel];
+      path.Radiance[channel] +=
+        static_cast<float>(weight) * path.Throughput[channel] * sky[channel];
     }
   }
 
-  // Sends a ray from each path on whose side the direction is that `draw` gives; calls `add` with
-  // the path, the direction, what `draw` returned and the cosine, for those that hit nothing.
+  // Next-event estimation: `draw` makes a direction to the light of each path and returns its
+  // density; where it lies above the surface a shadow ray is traced, and for those that are not
+  // occluded `add` is called with the path, the direction and the density.
   template <typename Draw, typename Add>
-  void SendOnPurpose(int active, int pair, const Draw& draw, const Add& add)
+  void SampleLight(int active, int pair, const Draw& draw, const Add& add)
   {
     this->Stream.Count = 0;
     for (int k = 0; k < active; ++k)
@@ -219,24 +225,26 @@ private:
       const double density = draw(PointOf(path, pair), d);
       if (Dot(path.Normal, d) > 0.0 && density > 0.0)
       {
-        this->Purposes[this->Stream.Count] = { this->Active[k], density };
-        this->Send(path, d);
+        this->LightSamples[this->Stream.Count] = { this->Active[k], density };
+        this->PushRay(path, d);
       }
     }
-    this->Stream.Trace<true>(this->In);
+    this->Stream.Trace<true>(this->Input);
     for (int k = 0; k < this->Stream.Count; ++k)
     {
       if (this->Stream.Hits[k].Id < 0)
       {
-        add(this->Paths[this->Purposes[k].Path], this->Stream.Rays[k].D, this->Purposes[k].Density);
+        const LightSample& sample = this->LightSamples[k];
+        add(this->Paths[sample.Path], this->Stream.Rays[k].D, sample.Density);
       }
     }
   }
 
-  void AddSun(int active, int pair)
+  // The sun is not seen by scattered rays, so that its samples have the weight 1.
+  void SampleSun(int active, int pair)
   {
     const Sun& sun = this->Light.Sun;
-    this->SendOnPurpose(
+    this->SampleLight(
       active, pair,
       [&](const Point2& point, Vector& d)
       {
@@ -248,45 +256,47 @@ private:
         const auto cosine = static_cast<float>(Dot(path.Normal, d));
         for (int channel = 0; channel < 3; ++channel)
         {
-          path.Radiance[channel] += cosine * path.Weight[channel] * sun.Radiance[channel];
+          path.Radiance[channel] += cosine * path.Throughput[channel] * sun.Radiance[channel];
         }
       });
   }
 
-  void AddSky(int active, int pair)
+  void SampleSky(int active, int pair)
   {
-    this->SendOnPurpose(
+    this->SampleLight(
       active, pair,
       [&](const Point2& point, Vector& d) { return this->Light.Sky.Sample(point.X, point.Y, d); },
       [&](Path& path, const Vector& d, double density)
       {
-        const double chance = Dot(path.Normal, d) * InversePi;
-        this->AddRadiance(path, d, chance / (density + chance));
+        // The MIS weight density / (density + bsdf), times bsdf / density.
+        const double bsdf = Dot(path.Normal, d) * InversePi;
+        this->AddSkyRadiance(path, d, bsdf / (density + bsdf));
       });
   }
 
-  // What a direction that came by chance counts beside one that was sent on purpose.
-  double ChanceShare(const Path& path, const Vector& d) const
+  // MIS weight of a scattered direction beside next-event estimation of the sky, by the balance
+  // heuristic; 1 where the sky is not sampled.
+  double MisWeight(const Path& path, const Vector& d) const
   {
     if (!this->Light.Sky.CanSample())
     {
       return 1.0;
     }
-    const double chance = Dot(path.Normal, d) * InversePi;
-    return chance / (this->Light.Sky.Density(d) + chance);
+    const double bsdf = Dot(path.Normal, d) * InversePi;
+    return bsdf / (this->Light.Sky.Density(d) + bsdf);
   }
 
-  struct Purpose
+  struct LightSample
   {
     int Path;
-    double Density;
+    double Density; // per solid angle
   };
 
-  const Scene& In;
+  const Scene& Input;
   const PathLight& Light;
-  std::array<float, 256> Linear;
-  int Active[RayStream::Maximum];
-  Purpose Purposes[RayStream::Maximum];
+  std::array<float, 256> Linear;  // albedo of a channel of a colour
+  int Active[RayStream::Maximum]; // paths that are not over
+  LightSample LightSamples[RayStream::Maximum];
   RayStream Stream;
 };
 }

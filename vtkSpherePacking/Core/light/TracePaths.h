@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// Traces paths of light for a tile of a camera's picture.
+/// Path tracing of a tile of a camera's picture.
 ///
-/// Spheres are opaque and reflect light alike in all directions (Lambert), on their outside alone:
-/// what is seen from inside of a sphere is lit as its other side is. A path starts at the camera,
-/// goes on from each sphere in a direction drawn in proportion to the cosine, and ends in the sky.
-/// On its way it meets the sun, and the sky if that is an image, by rays sent there on purpose,
-/// which are weighed against those that come there by chance (Veach and Guibas, "Optimally
-/// Combining Sampling Techniques for Monte Carlo Rendering", 1995). From the fourth sphere on it
-/// may be ended by chance, and counts the more if it is not (Arvo and Kirk, "Particle Transport and
-/// Image Synthesis", 1990).
+/// Spheres are opaque and diffuse (Lambert), on their outside alone: what is seen from inside of a
+/// sphere is lit as its other side is. A path starts at the camera, is scattered by each sphere in
+/// a direction of the cosine-weighted hemisphere, and ends in the sky. The sun, and the sky if it
+/// is an image, are sampled by next-event estimation; the sky's samples and scattered directions
+/// are combined by multiple importance sampling with the balance heuristic (Veach and Guibas,
+/// "Optimally Combining Sampling Techniques for Monte Carlo Rendering", 1995). From the fourth
+/// sphere on paths are subject to Russian roulette (Arvo and Kirk, "Particle Transport and Image
+/// Synthesis", 1990).
 ///
 /// Sample i of a pixel depends on i, the seed and the pixel alone, and samples are added up one
 /// after the other, so that neither tiles nor threads nor interruptions change the picture. Where
-/// in a pixel sample i lies is the same in all pixels, so that neighbouring rays stay a block.
+/// in a pixel sample i lies is the same in all pixels, so that neighbouring rays stay a packet.
 #ifndef TracePaths_h
 #define TracePaths_h
 
@@ -23,7 +23,7 @@
 
 namespace spherepacking
 {
-/// What decides about the light.
+/// Lights, material and the sampler's seed.
 struct PathLight
 {
   spherepacking::Sky Sky;
@@ -42,20 +42,20 @@ struct PathPicture
   float* Radiance; ///< mean, red, green, blue
   float* Albedo;   ///< mean
   float* Normal;   ///< mean
-  float* Depth;    ///< through the pixel's middle, infinite where nothing is hit
-  long long* Id;   ///< the same; -1
+  float* Depth;    ///< through the pixel's middle
+  long long* Id;   ///< the same
   float* Variance; ///< of the mean's luminance, as if samples were independent of each other
-  float* Coverage; ///< share of the samples that hit a sphere
+  float* Coverage; ///< fraction of the samples that hit a sphere
   unsigned* Samples;
 };
 
-/// Of linear Rec. 709 primaries, those of sRGB.
+/// Of linear Rec. 709 primaries, which are those of sRGB.
 inline float Luminance(const float* color)
 {
   return 0.2126f * color[0] + 0.7152f * color[1] + 0.0722f * color[2];
 }
 
-/// Cells of the picture in which paths are still traced.
+/// The pixels that still get samples: all of them, those of some cells, or one in stride x stride.
 struct PathCells
 {
   static constexpr int Side = 32;

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// A coordinate of a block of rays, as a covector in the hierarchy's coordinates.
 #ifndef BlockAxis_h
 #define BlockAxis_h
 
@@ -11,41 +10,41 @@ namespace spherepacking
 {
 inline namespace SPHEREPACKING_ISA
 {
-/// A product with a covector, single precision. It is wrong by `Error` at most: 10^-6 of what was
-/// added up, some ten roundings.
+/// A coordinate of the picture, or the depth, as a linear function N.c + D of a point c in the
+/// hierarchy's coordinates, single precision. Off by `Error` at most: 10^-6 of what was added up,
+/// some ten roundings.
 struct BlockAxis
 {
   float N[3];
   float D; ///< of the middle of the hierarchy as seen from the eye
   float Error;
-  // Of the covector with itself and with that of the depth, and of that with itself; the latter
-  // two only where the depth is divided by.
-  float Square = 0.0f;
-  float Mixed = 0.0f;
-  float SquareZ = 0.0f;
+  // Dot products N.N, 2 N.Z and Z.Z with the Z of the depth; the last two are 0 in parallel views.
+  float NN = 0.0f;
+  float TwiceNZ = 0.0f;
+  float ZZ = 0.0f;
 
-  void Set(const Vector& covector, double scale, double offset, const Vector& eye, const Bvh& bvh)
+  void Set(const Vector& n, double scale, double offset, const Vector& eye, const Bvh& bvh)
   {
     double d = 0.0;
     double length = 0.0;
     for (int axis = 0; axis < 3; ++axis)
     {
-      const double n = covector[axis] * scale;
-      this->N[axis] = static_cast<float>(n);
-      d += n * (bvh.Center[axis] - eye[axis]) * bvh.Scale;
-      length += std::abs(n);
+      const double scaled = n[axis] * scale;
+      this->N[axis] = static_cast<float>(scaled);
+      d += scaled * (bvh.Center[axis] - eye[axis]) * bvh.Scale;
+      length += std::abs(scaled);
     }
     this->D = static_cast<float>(d + offset);
     this->Error = static_cast<float>(1e-6 * (length + std::abs(d + offset)));
   }
 
-  /// Of eight points.
-  Float8 Dot(const Float8 (&point)[3]) const
+  /// N.c + D of eight points.
+  Float8 At(const Float8 (&point)[3]) const
   {
     return this->N[0] * point[0] + this->N[1] * point[1] + this->N[2] * point[2] + this->D;
   }
 
-  /// The least of each of eight boxes, or the greatest, error included.
+  /// Bounds over each of eight boxes, error included.
   Float8 Least(const BvhNode& node) const { return this->Corners(node, false) - this->Error; }
   Float8 Greatest(const BvhNode& node) const { return this->Corners(node, true) + this->Error; }
 

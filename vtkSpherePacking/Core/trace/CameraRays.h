@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// The rays of a camera through points of its picture, and where a sphere may be in it.
+/// The rays of a camera through points of its picture, and the projection of points to it.
 #ifndef CameraRays_h
 #define CameraRays_h
 
@@ -47,16 +47,15 @@ struct CameraRays
   }
 };
 
-/// The inverse of the map from (x, y, depth) to points in space, as covectors: what lies f away
-/// from the eye has the depth Z.f and is seen at x = X.f and y = Y.f, in perspective over the
-/// depth.
-struct Screen
+/// The projection of points to the picture, the inverse of the rays: what lies f away from the eye
+/// has the depth Z.f and is seen at x = X.f and y = Y.f, in perspective over the depth.
+struct CameraProjection
 {
   Vector X;
   Vector Y;
   Vector Z;
 
-  explicit Screen(const CameraRays& rays)
+  explicit CameraProjection(const CameraRays& rays)
   {
     const Vector& a = rays.Parallel ? rays.OX : rays.DX;
     const Vector& b = rays.Parallel ? rays.OY : rays.DY;

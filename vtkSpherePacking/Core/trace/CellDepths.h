@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// How far the first hits of a block of rays are at most, by rectangles of cells of 4 x 4 rays.
 #ifndef CellDepths_h
 #define CellDepths_h
 
@@ -9,7 +8,8 @@ namespace spherepacking
 {
 inline namespace SPHEREPACKING_ISA
 {
-/// A table of all rectangles, since many are looked up between two hits.
+/// tMax of the rays in each rectangle of cells of 4 x 4 rays: the depth of the farthest of their
+/// closest hits. A table of all 256 rectangles, since many are looked up between two hits.
 class CellDepths
 {
 public:
@@ -22,16 +22,16 @@ public:
   }
   static constexpr unsigned Whole = 3u << 2 | 3u << 6;
 
-  float operator[](unsigned rectangle) const { return this->Last[rectangle]; }
+  float operator[](unsigned rectangle) const { return this->Rectangles[rectangle]; }
 
-  /// Looks at some cells again, a bit each. Depths are multiplied by `scale`, and rounded up.
+  /// Updates some cells, a bit each. Depths are multiplied by `scale` and rounded up.
   void Update(const RayBlock& block, unsigned cells, double scale)
   {
     unsigned rows = 0;
     for (; cells != 0; cells &= cells - 1)
     {
       const int cell = __builtin_ctz(cells);
-      const double depth = std::min(block.LastDepth(cell) * scale, 3e38);
+      const double depth = std::min(block.MaxDepth(cell) * scale, 3e38);
       this->Cells[cell] = static_cast<float>(depth) * (1.0f + 1e-6f);
       rows |= 1u << cell / Side;
     }
@@ -44,7 +44,7 @@ public:
       Float4 depths[Side];
       for (int row = first; row < Side; ++row)
       {
-        float* all = this->Last + Side * Side * (first + Side * row);
+        float* all = this->Rectangles + Side * Side * (first + Side * row);
         for (int last = 0; last < Side; ++last)
         {
           const Float4 next = Load<Float4>(this->Rows[row][last]);
@@ -76,7 +76,7 @@ private:
 
   float Cells[Side * Side];
   alignas(64) float Rows[Side][Side][Side]; // by row, last and first column
-  alignas(64) float Last[Side * Side * Side * Side];
+  alignas(64) float Rectangles[Side * Side * Side * Side];
 };
 }
 }

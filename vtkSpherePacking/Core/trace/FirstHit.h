@@ -12,18 +12,18 @@ namespace spherepacking
 {
 inline namespace SPHEREPACKING_ISA
 {
-template <typename SurfaceT>
-inline Hit FirstHitImpl(const Scene& scene, const Ray& ray, const SurfaceT& surface)
+template <typename RayT>
+inline Hit FirstHitImpl(const Scene& scene, const Ray& ray, const RayT& kind)
 {
-  return scene.Hierarchy ? FirstHit(*scene.Hierarchy, scene.Spheres, ray, surface)
-    : scene.Table        ? FirstHit(*scene.Table, scene.Spheres, ray, surface)
-                         : FirstHit(scene.Spheres, ray, surface);
+  return scene.Hierarchy ? FirstHit(*scene.Hierarchy, scene.Spheres, ray, kind)
+    : scene.Table        ? FirstHit(*scene.Table, scene.Spheres, ray, kind)
+                         : FirstHit(scene.Spheres, ray, kind);
 }
 
 /// What FirstHit() does, compiled once for each kind of processor.
 inline Hit PrimaryHitImpl(const Scene& scene, const Ray& ray)
 {
-  return FirstHitImpl(scene, ray, EverySurface());
+  return FirstHitImpl(scene, ray, PrimaryRay());
 }
 }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// The rays of 16 x 16 neighbouring points of a picture and what each has hit so far.
+/// A packet of 16 x 16 neighbouring camera rays and the closest hit of each so far.
 #ifndef RayBlock_h
 #define RayBlock_h
 
@@ -11,8 +11,8 @@ namespace spherepacking
 {
 inline namespace SPHEREPACKING_ISA
 {
-/// Which rays of a block may hit something: columns and rows, first to last.
-struct BlockPart
+/// A rectangle of rays of a block: columns and rows, first to last.
+struct RayRectangle
 {
   int X0 = 0;
   int X1 = 15;
@@ -35,7 +35,7 @@ struct RayBlock
   static constexpr int Lanes = 4; ///< rays that are tested at once
   static constexpr int Count = Side * Side;
 
-  // One array a coordinate, row by row from the bottom.
+  // One array per coordinate, row by row from the bottom.
   alignas(64) double OX[Count];
   alignas(64) double OY[Count];
   alignas(64) double OZ[Count];
@@ -74,14 +74,14 @@ struct RayBlock
     return { { this->OX[i], this->OY[i], this->OZ[i] }, { this->DX[i], this->DY[i], this->DZ[i] } };
   }
 
-  /// Tests a sphere, which has no hit before `nearest`, against the rays of `part`, and some beside
-  /// them. Returns whether it is hit first by any.
-  bool Offer(const Sphere& sphere, std::int64_t key, const BlockPart& part, double nearest)
+  /// Tests a sphere, which has no hit before `nearest`, against the rays of a rectangle, and some
+  /// beside it. Returns whether it is now the closest hit of any.
+  bool Offer(const Sphere& sphere, std::int64_t key, const RayRectangle& rays, double nearest)
   {
     bool closer = false;
-    for (int row = part.Y0; row <= part.Y1; ++row)
+    for (int row = rays.Y0; row <= rays.Y1; ++row)
     {
-      for (int quad = part.X0 / Lanes; quad <= part.X1 / Lanes; ++quad)
+      for (int quad = rays.X0 / Lanes; quad <= rays.X1 / Lanes; ++quad)
       {
         const int first = row * Side + quad * Lanes;
         if (Any(nearest <= Load<Double4>(this->T + first)))
@@ -93,27 +93,28 @@ struct RayBlock
     return closer;
   }
 
-  /// The farthest of the first hits in a cell of 4 x 4 rays.
-  double LastDepth(int cell) const
+  /// The farthest of the closest hits in a cell of 4 x 4 rays.
+  double MaxDepth(int cell) const
   {
     static_assert(Side == CellsSide * Lanes);
     const double* first = this->T + cell / CellsSide * Lanes * Side + cell % CellsSide * Lanes;
-    Double4 last = Load<Double4>(first);
+    Double4 farthest = Load<Double4>(first);
     for (int row = 1; row < Lanes; ++row)
     {
       const Double4 next = Load<Double4>(first + row * Side);
-      last = last > next ? last : next;
+      farthest = farthest > next ? farthest : next;
     }
-    return std::max(std::max(last[0], last[1]), std::max(last[2], last[3]));
+    return std::max(std::max(farthest[0], farthest[1]), std::max(farthest[2], farthest[3]));
   }
 
 private:
   bool OfferLanes(const Sphere& sphere, std::int64_t key, int first)
   {
     const auto load = [first](const double* values) { return Load<Double4>(values + first); };
-    const Double4 t = HitSphere<Double4>(sphere.X - load(this->OX), sphere.Y - load(this->OY),
-      sphere.Z - load(this->OZ), sphere.R, load(this->DX), load(this->DY), load(this->DZ),
-      load(this->InverseSquare));
+    const Double4 f[3] = { sphere.X - load(this->OX), sphere.Y - load(this->OY),
+      sphere.Z - load(this->OZ) };
+    const Double4 d[3] = { load(this->DX), load(this->DY), load(this->DZ) };
+    const Double4 t = HitSphere<Double4>(f, sphere.R, d, load(this->InverseSquare));
     const Double4 best = load(this->T);
     const Long4 bestKey = Load<Long4>(this->Key + first);
     const Long4 closer = (t < best) | ((t == best) & (key < bestKey));

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// Where a ray meets the surface of a sphere: the one test of every technique and structure.
+/// Ray/sphere intersection: the one test of every technique and structure on the processor. Its
+/// twin in single precision is Rendering/glsl/vtkSpherePackingFSHit.glsl.
 ///
 /// The discriminant is r^2 - |l|^2, where l is the perpendicular from the ray to the centre, so
 /// that no large squares cancel. Source: Haines, Guenther, Akenine-Moller, "Precision Improvements
 /// for Ray/Sphere Intersection", Ray Tracing Gems (2019), chapter 7. A ray that only touches
 /// misses, and so does every ray a sphere of radius 0.
 ///
-/// Error. Let f be the centre as seen from the origin, u = 2^-53, and terms of u^2 be left out.
-/// f is rounded once (u|f|), t0 d has a rounding each in the product and in the subtraction
-/// (u|f| + u|l|), and what is wrong in t0 moves l along d only, where |l| does not change to first
-/// order; so |l| is off by 3u|f| at most. Its square adds 3u|l|^2, r^2 and the difference 2u r^2:
+/// Error. Let f be the centre as seen from the origin, t0 the middle of the chord, u = 2^-53, and
+/// terms of u^2 be left out. f is rounded once (u|f|), t0 d has a rounding each in the product and
+/// in the subtraction (u|f| + u|l|), and what is wrong in t0 moves l along d only, where |l| does
+/// not change to first order; so |l| is off by 3u|f| at most. Its square adds 3u|l|^2, r^2 and the
+/// difference 2u r^2:
 ///
 ///   a ray that passes the surface by more than 6u(|f| + r) is decided right.
 ///
@@ -51,35 +53,52 @@ inline double InverseSquare(const Ray& ray)
   return 1.0 / (ray.D[0] * ray.D[0] + ray.D[1] * ray.D[1] + ray.D[2] * ray.D[2]);
 }
 
-/// The least t > 0 at which the ray through the origin along d meets the sphere around f, else
-/// NoHit. Real is double, or a vector of doubles.
+/// The chord that a sphere around f cuts out of the line through the origin along d, whatever its
+/// radius: t0 is the parameter of its middle, and l the perpendicular from there to the centre.
+///
+/// Real is double, or a vector of several; the direction may be the same for all of them.
 template <typename Real>
-inline Real HitSphere(const Real& fx, const Real& fy, const Real& fz, double r, const Real& dx,
-  const Real& dy, const Real& dz, const Real& inverseSquare)
+struct Chord
+{
+  Real T0;
+  Real L[3];
+  Real Square; ///< |l|^2
+
+  template <typename Direction, typename Scale>
+  Chord(const Real (&f)[3], const Direction (&d)[3], const Scale& inverseSquare)
+    : T0((f[0] * d[0] + f[1] * d[1] + f[2] * d[2]) * inverseSquare)
+    , L{ f[0] - this->T0 * d[0], f[1] - this->T0 * d[1], f[2] - this->T0 * d[2] }
+    , Square(this->L[0] * this->L[0] + this->L[1] * this->L[1] + this->L[2] * this->L[2])
+  {
+  }
+
+  /// Above 0 where the line meets a sphere of that radius.
+  template <typename Radius>
+  Real Discriminant(const Radius& r) const
+  {
+    return r * r - this->Square;
+  }
+};
+
+/// The least t > 0 at which the ray through the origin along d meets the sphere around f, else
+/// NoHit.
+template <typename Real>
+inline Real HitSphere(const Real (&f)[3], double r, const Real (&d)[3], const Real& inverseSquare)
 {
   const Real none = Real{} + NoHit;
-  const Real middle = (fx * dx + fy * dy + fz * dz) * inverseSquare;
-  const Real lx = fx - middle * dx;
-  const Real ly = fy - middle * dy;
-  const Real lz = fz - middle * dz;
-  const Real discriminant = r * r - (lx * lx + ly * ly + lz * lz);
+  const Chord<Real> chord(f, d, inverseSquare);
+  const Real discriminant = chord.Discriminant(r);
   if (!Any(discriminant > 0.0))
   {
     return none;
   }
   // NaN where the discriminant is negative.
   const Real half = Sqrt(discriminant * inverseSquare);
-  const Real near = middle - half;
-  const Real far = middle + half;
+  const Real near = chord.T0 - half;
+  const Real far = chord.T0 + half;
   const Real t = near > 0.0 ? near : far;
   const Real ahead = t > 0.0 ? t : none;
   return discriminant > 0.0 ? ahead : none;
-}
-
-inline double HitSphere(const Ray& ray, const Sphere& sphere, double inverseSquare)
-{
-  return HitSphere<double>(sphere.X - ray.O[0], sphere.Y - ray.O[1], sphere.Z - ray.O[2], sphere.R,
-    ray.D[0], ray.D[1], ray.D[2], inverseSquare);
 }
 
 /// The unit normal, out of the sphere, where HitSphere() found a hit; from the perpendicular, so
@@ -88,18 +107,12 @@ template <typename Real>
 inline void NormalAt(const Real (&f)[3], const Real& r, const Real (&d)[3],
   const Real& inverseSquare, Real (&normal)[3])
 {
-  const Real middle = (f[0] * d[0] + f[1] * d[1] + f[2] * d[2]) * inverseSquare;
-  Real l[3];
+  const Chord<Real> chord(f, d, inverseSquare);
+  const Real half = Sqrt(chord.Discriminant(r) * inverseSquare);
+  const Real along = chord.T0 - half > 0.0 ? -half : half;
   for (int axis = 0; axis < 3; ++axis)
   {
-    l[axis] = f[axis] - middle * d[axis];
-  }
-  const Real discriminant = r * r - (l[0] * l[0] + l[1] * l[1] + l[2] * l[2]);
-  const Real half = Sqrt(discriminant * inverseSquare);
-  const Real along = middle - half > 0.0 ? -half : half;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    normal[axis] = along * d[axis] - l[axis];
+    normal[axis] = along * d[axis] - chord.L[axis];
   }
   // Its length is the radius but for rounding, which is all that is left of tiny spheres far away.
   const Real length = Sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
@@ -116,65 +129,62 @@ inline void NormalAt(
   NormalAt<double>(f, sphere.R, ray.D, inverseSquare, normal);
 }
 
-/// Which surfaces a ray meets: all, those from inside as well.
-struct EverySurface
+/// Primary rays meet every surface, from inside of a sphere as well.
+struct PrimaryRay
 {
-  static constexpr bool Behind = true; ///< whether centres behind the origin count
-  static constexpr bool Any = false;   ///< whether one hit is as good as another
+  static constexpr bool CenterMayBeBehind = true; ///< whether spheres around the origin count
+  static constexpr bool AnyHit = false;           ///< whether one hit is as good as another
 
   double Hit(const Ray& ray, const Sphere& sphere, double inverseSquare, std::int64_t) const
   {
-    return HitSphere(ray, sphere, inverseSquare);
+    const double f[3] = { sphere.X - ray.O[0], sphere.Y - ray.O[1], sphere.Z - ray.O[2] };
+    return HitSphere<double>(f, sphere.R, ray.D, inverseSquare);
   }
 };
 
-/// Those that a ray meets from outside when it leaves the surface of a sphere.
+/// Secondary rays leave the surface of a sphere and meet others from outside; shadow rays need any
+/// hit.
 ///
-/// It cannot meet that one again. Where its origin is inside of another one, by rounding where
-/// spheres touch or coincide, it leaves that one unseen: no light is lost in between.
-template <bool AnyT>
-struct OuterSurface
+/// Such a ray cannot meet its own sphere again. Where its origin is inside of another one, by
+/// rounding where spheres touch or coincide, it leaves that one unseen: no light is lost in
+/// between.
+template <bool AnyHitT>
+struct SecondaryRay
 {
-  static constexpr bool Behind = false;
-  static constexpr bool Any = AnyT;
-  std::int64_t Left; ///< id of the sphere
+  static constexpr bool CenterMayBeBehind = false;
+  static constexpr bool AnyHit = AnyHitT;
+  std::int64_t OriginSphere; ///< id
 
   double Hit(const Ray& ray, const Sphere& sphere, double inverseSquare, std::int64_t id) const
   {
     const double f[3] = { sphere.X - ray.O[0], sphere.Y - ray.O[1], sphere.Z - ray.O[2] };
-    const double middle = (f[0] * ray.D[0] + f[1] * ray.D[1] + f[2] * ray.D[2]) * inverseSquare;
-    double square = 0.0;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const double l = f[axis] - middle * ray.D[axis];
-      square += l * l;
-    }
-    const double discriminant = sphere.R * sphere.R - square;
-    if (!(middle > 0.0 && discriminant > 0.0) || id == this->Left)
+    const Chord<double> chord(f, ray.D, inverseSquare);
+    const double discriminant = chord.Discriminant(sphere.R);
+    if (!(chord.T0 > 0.0 && discriminant > 0.0) || id == this->OriginSphere)
     {
       return NoHit;
     }
-    const double near = middle - std::sqrt(discriminant * inverseSquare);
+    const double near = chord.T0 - std::sqrt(discriminant * inverseSquare);
     return near > 0.0 ? near : NoHit;
   }
 };
 }
 
-/// A sphere in the packing and where a structure holds it; ordered by the former.
-inline std::int64_t MakeKey(std::int64_t id, std::uint32_t place)
+/// The id of a sphere and the slot in which a structure holds it; ordered by the former.
+inline std::int64_t MakeKey(std::int64_t id, std::uint32_t slot)
 {
-  return id * (std::int64_t{ 1 } << 32) + place;
+  return id * (std::int64_t{ 1 } << 32) + slot;
 }
 inline std::int64_t IdOf(std::int64_t key)
 {
   return key >> 32;
 }
-inline std::uint32_t PlaceOf(std::int64_t key)
+inline std::uint32_t SlotOf(std::int64_t key)
 {
   return static_cast<std::uint32_t>(key);
 }
 
-/// The first hit of a ray. Of two spheres at the same t the one with the lower id counts, so that
+/// The closest hit of a ray. Of two spheres at the same t the one with the lower id counts, so that
 /// the order in which a structure offers them does not matter.
 struct Hit
 {

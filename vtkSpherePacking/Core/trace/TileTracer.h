@@ -3,112 +3,32 @@
 #ifndef TileTracer_h
 #define TileTracer_h
 
-#include "trace/FirstHit.h"
-#include "trace/TraceTile.h"
+#include "trace/BlockCaster.h"
 
 namespace spherepacking
 {
 inline namespace SPHEREPACKING_ISA
 {
-/// The grid has no way to follow several rays at once.
-inline void TraceBlock(const GridTable& table, const SphereArrays& spheres, RayBlock& block)
-{
-  for (int i = 0; i < RayBlock::Count; ++i)
-  {
-    const Hit hit = FirstHit(table, spheres, block.RayAt(i), EverySurface());
-    block.T[i] = hit.T;
-    block.Key[i] = MakeKey(hit.Id, 0);
-  }
-}
-
-/// Normals of a block's hits and how bright they are; anything where nothing is hit.
-struct BlockSurface
-{
-  alignas(64) double Normal[3][RayBlock::Count];
-  alignas(64) double Brightness[RayBlock::Count];
-
-  void Find(const RayBlock& block, const Scene& scene, const Vector& toEye)
-  {
-    // Those of the leaves have just been seen.
-    const bool exact = scene.Hierarchy && scene.Hierarchy->Exact;
-    for (const std::int64_t key : block.Key)
-    {
-      if (key >= 0)
-      {
-        __builtin_prefetch(scene.Colors + 4 * IdOf(key));
-        if (!exact)
-        {
-          scene.Spheres.Prefetch(IdOf(key));
-        }
-      }
-    }
-    for (int first = 0; first < RayBlock::Count; first += RayBlock::Lanes)
-    {
-      Double4 center[3] = {};
-      Double4 radius = {};
-      for (int k = 0; k < RayBlock::Lanes; ++k)
-      {
-        const std::int64_t key = block.Key[first + k];
-        const Sphere sphere = key < 0 ? Sphere{ 0.0, 0.0, 0.0, 1.0 }
-          : exact                     ? scene.Hierarchy->At(PlaceOf(key))
-                                      : scene.Spheres[IdOf(key)];
-        center[0][k] = sphere.X;
-        center[1][k] = sphere.Y;
-        center[2][k] = sphere.Z;
-        radius[k] = sphere.R;
-      }
-      const Double4 f[3] = { center[0] - Load<Double4>(block.OX + first),
-        center[1] - Load<Double4>(block.OY + first), center[2] - Load<Double4>(block.OZ + first) };
-      const Double4 d[3] = { Load<Double4>(block.DX + first), Load<Double4>(block.DY + first),
-        Load<Double4>(block.DZ + first) };
-      Double4 normal[3];
-      NormalAt<Double4>(f, radius, d, Load<Double4>(block.InverseSquare + first), normal);
-      const Double4 cosine = normal[0] * toEye[0] + normal[1] * toEye[1] + normal[2] * toEye[2];
-      Store(cosine < 0.0 ? -cosine : cosine, this->Brightness + first);
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        Store(normal[axis], this->Normal[axis] + first);
-      }
-    }
-  }
-};
-
-/// Calls `work` with each block of a tile; those at the right and at the top may be smaller.
-template <typename Work>
-inline void ForEachBlock(const Tile& tile, const Work& work)
-{
-  for (int y = tile.Y; y < tile.Y + tile.Height; y += RayBlock::Side)
-  {
-    for (int x = tile.X; x < tile.X + tile.Width; x += RayBlock::Side)
-    {
-      work(Tile{ x, y, std::min(RayBlock::Side, tile.X + tile.Width - x),
-        std::min(RayBlock::Side, tile.Y + tile.Height - y) });
-    }
-  }
-}
-
-/// Traces the blocks of a tile.
+/// Casts the rays of a tile, block by block.
 template <typename TraceBlockT>
 class TileTracer
 {
 public:
   TileTracer(const Scene& scene, const CameraRays& rays, const Vector& toEye, int samples,
-    const Picture& picture, const TraceBlockT& trace)
-    : In(scene)
-    , Rays(rays)
-    , ToEye(toEye)
+    const Picture& picture, const TraceBlockT& traceBlock)
+    : Colors(scene.Colors)
     , Samples(samples)
-    , Out(picture)
-    , Trace(trace)
+    , Output(picture)
+    , Block(scene, rays, toEye, traceBlock)
   {
   }
 
   void Run(const Tile& tile)
   {
     ForEachBlock(tile,
-      [this](const Tile& block)
+      [this](const Tile& pixels)
       {
-        this->Part = block;
+        this->Block.Pixels = pixels;
         this->RunBlock();
       });
   }
@@ -116,12 +36,12 @@ public:
 private:
   void RunBlock()
   {
-    this->TraceThrough(0.5, 0.5);
+    this->Block.Cast(0.5, 0.5);
     this->ForEachPixel([this](int i, std::int64_t pixel) { this->Write(i, pixel); });
     if (this->Samples == 1)
     {
       this->ForEachPixel(
-        [this](int i, std::int64_t pixel) { this->Shade(i, this->Out.Color + 4 * pixel); });
+        [this](int i, std::int64_t pixel) { this->Shade(i, this->Output.Color + 4 * pixel); });
       return;
     }
     std::fill_n(&this->Sums[0][0], 4 * RayBlock::Count, 0);
@@ -129,59 +49,43 @@ private:
     {
       for (int column = 0; column < this->Samples; ++column)
       {
-        this->TraceThrough((column + 0.5) / this->Samples, (row + 0.5) / this->Samples);
+        this->Block.Cast((column + 0.5) / this->Samples, (row + 0.5) / this->Samples);
         this->ForEachPixel([this](int i, std::int64_t) { this->AddSample(i); });
       }
     }
     this->ForEachPixel(
-      [this](int i, std::int64_t pixel) { this->Average(i, this->Out.Color + 4 * pixel); });
-  }
-
-  // One ray a pixel, at the same place in each.
-  void TraceThrough(double x, double y)
-  {
-    this->Block.Start(this->Rays, this->Part.X + x, this->Part.Y + y);
-    this->Trace(this->Block);
-    this->Surface.Find(this->Block, this->In, this->ToEye);
+      [this](int i, std::int64_t pixel) { this->Average(i, this->Output.Color + 4 * pixel); });
   }
 
   template <typename Work>
-  void ForEachPixel(const Work& work)
+  void ForEachPixel(const Work& work) const
   {
-    for (int row = 0; row < this->Part.Height; ++row)
-    {
-      const std::int64_t first =
-        static_cast<std::int64_t>(this->Part.Y + row) * this->Out.Width + this->Part.X;
-      for (int column = 0; column < this->Part.Width; ++column)
-      {
-        work(row * RayBlock::Side + column, first + column);
-      }
-    }
+    this->Block.ForEachPixel(
+      this->Output.Width, [&](int i, std::int64_t pixel, int, int) { work(i, pixel); });
   }
 
   void Write(int i, std::int64_t pixel)
   {
-    const bool hit = this->Block.Key[i] >= 0;
-    this->Out.Id[pixel] = IdOf(this->Block.Key[i]);
-    this->Out.Depth[pixel] =
-      hit ? static_cast<float>(this->Block.T[i]) : std::numeric_limits<float>::infinity();
+    this->Block.Write(i, this->Output.Id[pixel], this->Output.Depth[pixel]);
+    const bool hit = this->Output.Id[pixel] >= 0;
     for (int axis = 0; axis < 3; ++axis)
     {
-      this->Out.Normal[3 * pixel + axis] =
-        hit ? static_cast<float>(this->Surface.Normal[axis][i]) : 0.0f;
+      this->Output.Normal[3 * pixel + axis] =
+        hit ? static_cast<float>(this->Block.Surface.Normal[axis][i]) : 0.0f;
     }
   }
 
+  // Lit by a headlight (Lambert).
   void Shade(int i, unsigned char* color) const
   {
-    const std::int64_t id = IdOf(this->Block.Key[i]);
-    const double light = this->Surface.Brightness[i];
+    const std::int64_t id = IdOf(this->Block.Rays.Key[i]);
+    const double cosine = this->Block.Surface.Cosine[i];
     for (int channel = 0; channel < 3; ++channel)
     {
       color[channel] =
-        id < 0 ? 0 : static_cast<unsigned char>(this->In.Colors[4 * id + channel] * light + 0.5);
+        id < 0 ? 0 : static_cast<unsigned char>(this->Colors[4 * id + channel] * cosine + 0.5);
     }
-    color[3] = id < 0 ? 0 : this->In.Colors[4 * id + 3];
+    color[3] = id < 0 ? 0 : this->Colors[4 * id + 3];
   }
 
   void AddSample(int i)
@@ -208,45 +112,21 @@ private:
     color[3] = static_cast<unsigned char>((alpha + number / 2) / number);
   }
 
-  const Scene& In;
-  const CameraRays& Rays;
-  const Vector& ToEye;
+  const unsigned char* const Colors;
   const int Samples;
-  const Picture& Out;
-  const TraceBlockT& Trace;
-  RayBlock Block;
-  BlockSurface Surface;
+  const Picture& Output;
+  BlockCaster<TraceBlockT> Block;
   int Sums[RayBlock::Count][4];
-  Tile Part;
 };
-
-/// Calls `work` with what traces a block through the structure of the scene.
-template <typename Work>
-inline void WithBlockTracer(const Scene& scene, const CameraRays& rays, const Work& work)
-{
-  if (scene.Hierarchy)
-  {
-    const Screen screen(rays);
-    work(
-      [&](RayBlock& block) { TraceBlock(*scene.Hierarchy, scene.Spheres, rays, screen, block); });
-  }
-  else if (scene.Table)
-  {
-    work([&](RayBlock& block) { TraceBlock(*scene.Table, scene.Spheres, block); });
-  }
-  else
-  {
-    work([&](RayBlock& block) { TraceBlock(scene.Spheres, block); });
-  }
-}
 
 inline void TraceTileImpl(const Scene& scene, const CameraRays& rays, const Vector& toEye,
   int samples, const Tile& tile, const Picture& picture)
 {
   WithBlockTracer(scene, rays,
-    [&](const auto& trace)
+    [&](const auto& traceBlock)
     {
-      TileTracer<std::decay_t<decltype(trace)>>(scene, rays, toEye, samples, picture, trace)
+      TileTracer<std::decay_t<decltype(traceBlock)>>(
+        scene, rays, toEye, samples, picture, traceBlock)
         .Run(tile);
     });
 }

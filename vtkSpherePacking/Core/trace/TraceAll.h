@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// First hits without a structure: every ray is tested against every sphere.
+/// Closest hits without a structure: every ray is tested against every sphere.
 #ifndef TraceAll_h
 #define TraceAll_h
 
@@ -10,15 +10,15 @@ namespace spherepacking
 {
 inline namespace SPHEREPACKING_ISA
 {
-template <typename SurfaceT>
-inline Hit FirstHit(const SphereArrays& spheres, const Ray& ray, const SurfaceT& surface)
+template <typename RayT>
+inline Hit FirstHit(const SphereArrays& spheres, const Ray& ray, const RayT& kind)
 {
   const double inverseSquare = InverseSquare(ray);
   Hit hit;
   for (std::int64_t i = 0; i < spheres.Count; ++i)
   {
     const Sphere sphere = spheres[i];
-    hit.Offer(surface.Hit(ray, sphere, inverseSquare, i), i, sphere);
+    hit.Offer(kind.Hit(ray, sphere, inverseSquare, i), i, sphere);
   }
   return hit;
 }
@@ -27,7 +27,7 @@ inline void TraceBlock(const SphereArrays& spheres, RayBlock& block)
 {
   for (std::int64_t i = 0; i < spheres.Count; ++i)
   {
-    block.Offer(spheres[i], MakeKey(i, 0), BlockPart(), 0.0);
+    block.Offer(spheres[i], MakeKey(i, 0), RayRectangle(), 0.0);
   }
 }
 }

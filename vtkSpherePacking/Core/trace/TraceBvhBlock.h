@@ -1,52 +1,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// First hits through the hierarchy: of a block of neighbouring rays, and of a single one.
+/// Traversal of the hierarchy by a packet of neighbouring camera rays.
+///
+/// A node is tested once for the whole packet, by where its boxes lie in the picture and how near
+/// they are, instead of by its rays; a sphere is then tested against the rays that its footprint
+/// covers. Sources: Wald, Slusallek, Benthin and Wagner, "Interactive Rendering with Coherent Ray
+/// Tracing" (2001), for packets; Reshetov, Soupikov and Hurley, "Multi-Level Ray Tracing Algorithm"
+/// (2005), for frusta that visit the tree in their place.
 #ifndef TraceBvhBlock_h
 #define TraceBvhBlock_h
 
-#include "trace/BlockProjection.h"
 #include "base/SphereArrays.h"
+#include "trace/BlockProjection.h"
+#include "trace/BvhStack.h"
 
 namespace spherepacking
 {
 inline namespace SPHEREPACKING_ISA
 {
-/// Children that wait for their turn, the nearest on top.
-struct BvhStack
-{
-  // Eight children replace their node, on no more than 51 levels.
-  static constexpr int Maximum = 512;
-
-  struct Entry
-  {
-    std::uint32_t Child;
-    float Depth;
-    unsigned Rectangle; ///< of CellDepths, that may see it
-  };
-  Entry Entries[Maximum];
-  int Number = 0;
-
-  /// Puts an entry among those above `bottom`, the nearest of which is on top.
-  void Insert(int bottom, const Entry& entry)
-  {
-    int at = this->Number++;
-    for (; at > bottom && this->Entries[at - 1].Depth < entry.Depth; --at)
-    {
-      this->Entries[at] = this->Entries[at - 1];
-    }
-    this->Entries[at] = entry;
-  }
-};
-
-/// A block on its way through the hierarchy.
 class BlockTracer
 {
 public:
   BlockTracer(const Bvh& bvh, const SphereArrays& spheres, const CameraRays& rays,
-    const Screen& screen, RayBlock& block)
+    const CameraProjection& camera, RayBlock& block)
     : Hierarchy(bvh)
     , Spheres(spheres)
     , Block(block)
-    , Places(rays, screen, block, bvh)
+    , Projection(rays, camera, block, bvh)
   {
   }
 
@@ -56,27 +35,27 @@ public:
     {
       return;
     }
-    this->Last.Update(this->Block, AllCells, this->Places.DepthScale());
+    this->MaxDepth.Update(this->Block, AllCells, this->Projection.DepthScale());
     this->Stack.Entries[this->Stack.Number++] = { 0, -3e38f, CellDepths::Whole };
     while (this->Stack.Number > 0)
     {
       const BvhStack::Entry entry = this->Stack.Entries[--this->Stack.Number];
-      if (entry.Depth > this->Last[entry.Rectangle])
+      if (entry.Depth > this->MaxDepth[entry.Rectangle])
       {
         continue;
       }
       if (BvhChild::IsLeaf(entry.Child))
       {
-        this->Wait(entry);
+        this->QueueLeaf(entry);
       }
       else
       {
-        this->Push(this->Hierarchy.Nodes[entry.Child], this->Last[entry.Rectangle]);
+        this->PushChildren(this->Hierarchy.Nodes[entry.Child], this->MaxDepth[entry.Rectangle]);
       }
     }
-    while (this->Waiting > 0)
+    while (this->Queued > 0)
     {
-      this->OfferFirst();
+      this->IntersectFirst();
     }
   }
 
@@ -85,94 +64,94 @@ private:
   static constexpr int QueueLength = 3;
 
   // Leaves wait until two more have come, by when they have arrived from memory.
-  void Wait(const BvhStack::Entry& leaf)
+  void QueueLeaf(const BvhStack::Entry& leaf)
   {
     this->Hierarchy.Prefetch(leaf.Child);
-    this->Queue[this->Waiting++] = leaf;
-    if (this->Waiting == QueueLength)
+    this->Queue[this->Queued++] = leaf;
+    if (this->Queued == QueueLength)
     {
-      this->OfferFirst();
+      this->IntersectFirst();
     }
   }
 
-  void OfferFirst()
+  void IntersectFirst()
   {
     const BvhStack::Entry first = this->Queue[0];
-    std::copy(this->Queue + 1, this->Queue + this->Waiting, this->Queue);
-    --this->Waiting;
-    if (first.Depth <= this->Last[first.Rectangle])
+    std::copy(this->Queue + 1, this->Queue + this->Queued, this->Queue);
+    --this->Queued;
+    if (first.Depth <= this->MaxDepth[first.Rectangle])
     {
-      this->Offer(BvhChild::Index(first.Child), this->Last[first.Rectangle]);
+      this->IntersectLeaf(BvhChild::Index(first.Child), this->MaxDepth[first.Rectangle]);
     }
   }
 
-  // Puts the children of a node that may be seen before `last` on the stack.
-  void Push(const BvhNode& node, float last)
+  // Pushes the children of a node that a ray may hit before `maxDepth`.
+  void PushChildren(const BvhNode& node, float maxDepth)
   {
-    BlockParts parts;
+    Footprints footprints;
     const int bottom = this->Stack.Number;
-    for (unsigned seen = this->Places.Test(node, last, parts); seen != 0; seen &= seen - 1)
+    for (unsigned hit = this->Projection.Test(node, maxDepth, footprints); hit != 0; hit &= hit - 1)
     {
-      const int i = __builtin_ctz(seen);
-      const unsigned rectangle = parts.Rectangle[i];
-      if (parts.Nearest[i] <= this->Last[rectangle])
+      const int i = __builtin_ctz(hit);
+      const unsigned rectangle = footprints.Rectangle[i];
+      if (footprints.Nearest[i] <= this->MaxDepth[rectangle])
       {
         if (!BvhChild::IsLeaf(node.Children[i]))
         {
           this->Hierarchy.Prefetch(node.Children[i]);
         }
-        this->Stack.Insert(bottom, { node.Children[i], parts.Nearest[i], rectangle });
+        this->Stack.Insert(bottom, { node.Children[i], footprints.Nearest[i], rectangle });
       }
     }
   }
 
-  void Offer(std::uint32_t index, float last)
+  void IntersectLeaf(std::uint32_t index, float maxDepth)
   {
     const BvhLeaf& leaf = this->Hierarchy.Leaves[index];
-    BlockParts parts;
-    unsigned seen = this->Places.Test(this->Hierarchy, leaf, last, parts);
+    Footprints footprints;
+    unsigned hit = this->Projection.Test(this->Hierarchy, leaf, maxDepth, footprints);
     const bool exact = this->Hierarchy.Exact;
-    for (unsigned bits = exact ? 0u : seen; bits != 0; bits &= bits - 1)
+    for (unsigned bits = exact ? 0u : hit; bits != 0; bits &= bits - 1)
     {
       this->Spheres.Prefetch(leaf.Ids[__builtin_ctz(bits)]);
     }
     unsigned changed = 0;
-    for (; seen != 0; seen &= seen - 1)
+    for (; hit != 0; hit &= hit - 1)
     {
-      const int i = __builtin_ctz(seen);
-      if (parts.Nearest[i] > this->Last[parts.Rectangle[i]])
+      const int i = __builtin_ctz(hit);
+      if (footprints.Nearest[i] > this->MaxDepth[footprints.Rectangle[i]])
       {
         continue;
       }
       const Sphere sphere = exact ? leaf.At(i) : this->Spheres[leaf.Ids[i]];
-      const std::uint32_t place = index * BvhLeaf::Width + static_cast<std::uint32_t>(i);
-      const BlockPart part = parts.Of(i);
-      if (this->Block.Offer(
-            sphere, MakeKey(leaf.Ids[i], place), part, this->Places.Depth(parts.Nearest[i])))
+      const std::uint32_t slot = index * BvhLeaf::Width + static_cast<std::uint32_t>(i);
+      const RayRectangle rays = footprints.RaysOf(i);
+      const double nearest = this->Projection.Depth(footprints.Nearest[i]);
+      if (this->Block.Offer(sphere, MakeKey(leaf.Ids[i], slot), rays, nearest))
       {
-        changed |= part.Cells();
+        changed |= rays.Cells();
       }
     }
     if (changed != 0)
     {
-      this->Last.Update(this->Block, changed, this->Places.DepthScale());
+      this->MaxDepth.Update(this->Block, changed, this->Projection.DepthScale());
     }
   }
 
   const Bvh& Hierarchy;
   const SphereArrays& Spheres;
   RayBlock& Block;
-  const BlockScreen Places;
+  const BlockProjection Projection;
   BvhStack Stack;
   BvhStack::Entry Queue[QueueLength];
-  int Waiting = 0;
-  CellDepths Last;
+  int Queued = 0;
+  CellDepths MaxDepth;
 };
 
 inline void TraceBlock(const Bvh& bvh, const SphereArrays& spheres, const CameraRays& rays,
-  const Screen& screen, RayBlock& block)
+  const CameraProjection& camera, RayBlock& block)
 {
-  BlockTracer(bvh, spheres, rays, screen, block).Run();
+  BlockTracer(bvh, spheres, rays, camera, block).Run();
 }
 }
 }

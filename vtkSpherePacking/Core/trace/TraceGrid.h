@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// The first hit of a ray through a uniform grid.
+/// Traversal of a uniform grid by a single ray.
 #ifndef TraceGrid_h
 #define TraceGrid_h
 
@@ -10,7 +10,7 @@ namespace spherepacking
 {
 inline namespace SPHEREPACKING_ISA
 {
-/// The cells along a ray, one after the other.
+/// Walks through the cells along a ray (3D-DDA).
 ///
 /// Source: Amanatides and Woo, "A Fast Voxel Traversal Algorithm for Ray Tracing" (1987). Where a
 /// ray leaves a cell is computed from the cell's planes, not summed up, so that errors do not add
@@ -93,9 +93,9 @@ private:
   std::int64_t At[3];
 };
 
-template <typename SurfaceT>
+template <typename RayT>
 inline Hit FirstHit(
-  const GridTable& table, const SphereArrays& spheres, const Ray& ray, const SurfaceT& surface)
+  const GridTable& table, const SphereArrays& spheres, const Ray& ray, const RayT& kind)
 {
   const double inverseSquare = InverseSquare(ray);
   Hit hit;
@@ -106,9 +106,9 @@ inline Hit FirstHit(
     {
       const std::int32_t id = table.Ids[i];
       const Sphere sphere = spheres[id];
-      hit.Offer(surface.Hit(ray, sphere, inverseSquare, id), id, sphere);
+      hit.Offer(kind.Hit(ray, sphere, inverseSquare, id), id, sphere);
     }
-    if (hit.T <= walk.Leave() || (SurfaceT::Any && hit.Id >= 0))
+    if (hit.T <= walk.Leave() || (RayT::AnyHit && hit.Id >= 0))
     {
       break;
     }

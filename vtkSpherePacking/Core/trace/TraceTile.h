@@ -8,15 +8,22 @@
 
 namespace spherepacking
 {
+/// What a pixel shows where no sphere is hit; colour and normal are 0.
+namespace Miss
+{
+constexpr long long Id = -1;
+constexpr float Depth = std::numeric_limits<float>::infinity();
+}
+
 /// Where a picture goes: rows from the bottom, `Width` pixels each.
 struct Picture
 {
   int Width;
   int Height;
-  unsigned char* Color; ///< RGBA, 0 where nothing is hit
-  float* Depth;         ///< infinite where nothing is hit
-  float* Normal;        ///< x, y, z
-  long long* Id;        ///< -1 where nothing is hit
+  unsigned char* Color; ///< RGBA
+  float* Depth;
+  float* Normal; ///< x, y, z
+  long long* Id;
 };
 
 struct Tile
@@ -27,8 +34,8 @@ struct Tile
   int Height;
 };
 
-/// Colours are the mean of samples x samples rays a pixel, on a regular grid, lit from the eye in
-/// the direction `toEye` (a unit vector); all else is of the ray through the pixel's middle.
+/// Colours are the mean of samples x samples rays per pixel, on a regular grid, lit by a headlight
+/// in the direction `toEye` (a unit vector); all else is of the ray through the pixel's middle.
 void TraceTile(const Scene& scene, const CameraRays& rays, const Vector& toEye, int samples,
   const Tile& tile, const Picture& picture);
 }
