@@ -95,7 +95,7 @@ void vtkSpherePackingBVH::MakeBoxes(vtkPolyData* packing, vtkDataArray* radii, c
   AddLeafOfSphere(tree, output);
   spherepacking::AddFieldArray(output, "memory_bytes", { static_cast<double>(tree.Bytes()) });
   spherepacking::AddFieldArray(output, "sah_cost", { tree.SahCost() });
-  spherepacking::AddFieldArray(output, "occupied_share", { tree.OccupiedShare() });
+  spherepacking::AddFieldArray(output, "occupied_share", { tree.OccupiedFraction() });
 }
 
 //------------------------------------------------------------------------------

@@ -1,23 +1,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSpherePackingBVH
- * @brief   the boxes of a bounding volume hierarchy of a packing
+ * @brief   the boxes of a binary bounding volume hierarchy of a packing, to be looked at
  *
- * The spheres of a packing are split in two over and over, where the surface-area heuristic over
- * all axes says, and the output has the boxes of the leaves or of all nodes of this binary tree.
- * Every sphere, of radius 0 too, lies in exactly one leaf. The boxes are the bounds of their
- * spheres, in double precision. A leaf of several spheres can always be split, if need be by their
- * number, so that there are as many leaves as wanted unless there are fewer spheres. The tree is
- * the same in every run.
+ * The spheres of a packing are split in two over and over by the surface-area heuristic over all
+ * axes, and the output has the boxes of the leaves or of all nodes of this binary tree. Every
+ * sphere, of radius 0 too, lies in exactly one leaf. The boxes are the bounds of their spheres, in
+ * double precision. A leaf of several spheres can always be split, if need be by their number, so
+ * that there are as many leaves as wanted unless there are fewer spheres. The tree is the same in
+ * every run.
+ *
+ * It is not the hierarchy that rays traverse in vtkSpherePackingTracer. That one comes from the
+ * same splits, but collapsed to eight children per node and up to eight spheres per leaf, in single
+ * precision with boxes that are enlarged by what rounding needs, and without spheres of radius 0:
+ * its boxes are not bounds, and it has no cut into any wanted number of them, down to single
+ * spheres. So `memory_bytes` and `build_seconds` here are not those of ray casting, whose pictures
+ * tell their own.
  *
  * `Depth` says how far to split if it is 0 or more, otherwise `NumberOfBoxes` does.
  *
  * Cell arrays: `box_id`, the index of the node, numbered depth first from 0 for the root, whether
  * all are there or not; `depth`, 0 for the root; `count`, how many spheres lie in the box. Field
- * arrays of one value: `build_seconds`; `memory_bytes`, of the nodes and of 4 bytes a sphere;
+ * arrays of one value: `build_seconds`; `memory_bytes`, of the nodes and 4 bytes per sphere;
  * `sah_cost`; `occupied_share`, the sum of the volumes of the leaves over that of the root,
  * overlaps counted as often as they occur, 0 if the root has no volume. Another field array has one
- * value a sphere: `leaf_of_sphere`, the `box_id` of its leaf.
+ * value per sphere: `leaf_of_sphere`, the `box_id` of its leaf.
  *
  * The SAH cost is the expected number of nodes and spheres that a random ray through the root's box
  * has to be tested against: the sum over all nodes of the surface of their box over that of the

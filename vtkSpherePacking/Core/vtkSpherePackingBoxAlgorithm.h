@@ -3,9 +3,9 @@
  * @class   vtkSpherePackingBoxAlgorithm
  * @brief   what the filters from a packing to boxes have in common
  *
- * The output has six quads or twelve lines a box. Cell arrays, the same for all of a box: `box_id`,
- * `depth` and `count`. Field arrays of one value: `build_seconds`, until the boxes are there, and
- * what the subclass says of them. A packing without points has no boxes.
+ * The output has six quads or twelve lines per box. Cell arrays, the same for all of a box:
+ * `box_id`, `depth` and `count`. Field arrays of one value: `build_seconds`, until the boxes are
+ * there, and what the subclass says of them. A packing without points has no boxes.
  *
  * An error leaves an empty output, is reported through vtkErrorMacro and sets GetErrorCode().
  * GetErrorMessage() is the sentence. Besides what the subclass refuses, radii that
@@ -36,7 +36,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Twelve lines a box instead of six quads. Off by default.
+   * Twelve lines per box instead of six quads. Off by default.
    */
   vtkSetMacro(BoxesAsLines, bool);
   vtkGetMacro(BoxesAsLines, bool);

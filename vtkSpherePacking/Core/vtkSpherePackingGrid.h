@@ -9,9 +9,13 @@
  * that ends on a face touches both sides. A sphere of radius 0 touches where its centre is.
  *
  * Cell arrays: `box_id`, the index of the cell, x fastest, then y, then z; `depth`, 0; `count`, how
- * many spheres touch the cell. Field arrays of one value: `build_seconds`; `memory_bytes`, of a
- * table of the spheres of each cell with 4 bytes a sphere and 8 a cell; `occupied_share` of the
- * cells, from 0 to 1.
+ * many spheres touch the cell. Field arrays of one value: `build_seconds`; `memory_bytes`, what a
+ * table of the spheres of each cell would take with 4 bytes per sphere and 8 per cell;
+ * `occupied_share`, the fraction of the cells that are touched.
+ *
+ * The cells are counted here; no table is built. vtkSpherePackingTracer builds one of the same
+ * cells for its `Cuts`, and a few bytes more, since that also lists spheres of radius above 0 that
+ * miss a cell by rounding, and none of radius 0; its pictures tell the memory that it took.
  *
  * @sa vtkSpherePackingBoxAlgorithm
  */

@@ -116,32 +116,32 @@ private:
   // Without recursion, because spheres at distances that grow exponentially make a deep tree.
   void Number(std::vector<BoxNode>& nodes)
   {
-    struct Rest
+    struct Pending
     {
       std::int64_t Branch;
       std::int64_t Parent; // whose second child it is; -1 for none
     };
     nodes.reserve(this->Branches.size());
-    std::vector<Rest> rests;
+    std::vector<Pending> stack;
     if (!this->Branches.empty())
     {
-      rests.push_back({ 0, -1 });
+      stack.push_back({ 0, -1 });
     }
-    while (!rests.empty())
+    while (!stack.empty())
     {
-      const Rest rest = rests.back();
-      rests.pop_back();
-      const Branch& branch = this->Branches[rest.Branch];
+      const Pending next = stack.back();
+      stack.pop_back();
+      const Branch& branch = this->Branches[next.Branch];
       const std::int64_t index = static_cast<std::int64_t>(nodes.size());
-      if (rest.Parent >= 0)
+      if (next.Parent >= 0)
       {
-        nodes[rest.Parent].Second = index;
+        nodes[next.Parent].Second = index;
       }
       nodes.push_back({ {}, branch.Range.First, branch.Range.Count, 0, branch.Depth });
       if (branch.Children)
       {
-        rests.push_back({ branch.Children + 1, index });
-        rests.push_back({ branch.Children, -1 });
+        stack.push_back({ branch.Children + 1, index });
+        stack.push_back({ branch.Children, -1 });
       }
     }
   }
@@ -242,19 +242,19 @@ double BoxTree::SahCost() const
 }
 
 //------------------------------------------------------------------------------
-double BoxTree::OccupiedShare() const
+double BoxTree::OccupiedFraction() const
 {
   double sum = 0.0;
   for (const BoxNode& node : this->Nodes)
   {
-    double share = node.IsLeaf() ? 1.0 : 0.0;
+    double fraction = node.IsLeaf() ? 1.0 : 0.0;
     for (int axis = 0; axis < 3; ++axis)
     {
       const Box& root = this->Nodes.front().Bounds;
       const double size = root.High[axis] - root.Low[axis];
-      share *= size > 0.0 ? (node.Bounds.High[axis] - node.Bounds.Low[axis]) / size : 0.0;
+      fraction *= size > 0.0 ? (node.Bounds.High[axis] - node.Bounds.Low[axis]) / size : 0.0;
     }
-    sum += share;
+    sum += fraction;
   }
   return sum;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// A binary bounding volume hierarchy to be looked at: exact boxes, as few leaves as wanted.
+/// A binary bounding volume hierarchy to be looked at: exact boxes, as few leaves as wanted. Rays
+/// traverse the one of accel/Bvh.h.
 #ifndef BoxTree_h
 #define BoxTree_h
 
@@ -44,7 +45,7 @@ struct BoxTree
 
   /// Sum of the volumes of the leaves over that of the root, overlaps counted as often as they
   /// occur; 0 if the root has no volume.
-  double OccupiedShare() const;
+  double OccupiedFraction() const;
 };
 
 /// Splits by the surface-area heuristic, each time the leaf for which SahCost() falls most (or

@@ -22,7 +22,8 @@ struct NodeRanges
   int Number = 0;
 };
 
-// Splits the child with the largest surface until there are eight, or only leaves.
+// Collapses a binary tree to one of width eight: splits the child with the largest surface until
+// there are eight, or only leaves (Wald, Benthin and Boulos, "Getting Rid of Packets", 2008).
 NodeRanges ChildrenOf(BuildSpheres& build, const BuildRange& range, int depth)
 {
   NodeRanges children;
@@ -88,8 +89,8 @@ std::uint32_t AddLeaf(const SphereArrays& spheres, bool exact, const BuildSphere
   return static_cast<std::uint32_t>(leaves.size() - 1) | BvhChild::LeafBit;
 }
 
-// A child of a node that is still to be built.
-struct Rest
+// A subtree that another task builds.
+struct Subtree
 {
   std::uint32_t Node;
   int Child;
@@ -102,13 +103,12 @@ struct Part
 {
   std::vector<BvhNode> Nodes;
   std::vector<BvhLeaf> Leaves;
-  std::vector<Rest> Rests;
+  std::vector<Subtree> Subtrees;
   const SphereArrays* Spheres;
   bool Exact;
 
-  // Adds a node for the range and below it all that is needed, but for what is small enough to be
-  // left to others.
-  void Add(BuildSpheres& build, const BuildRange& range, std::int64_t leave, int depth)
+  // Adds the subtree of a range. Ranges of at most `deferred` spheres become subtrees for others.
+  void Add(BuildSpheres& build, const BuildRange& range, std::int64_t deferred, int depth)
   {
     const NodeRanges children = ChildrenOf(build, range, depth);
     this->PrefetchLeaves(build, children);
@@ -128,20 +128,20 @@ struct Part
         this->Nodes[index].Children[i] =
           AddLeaf(*this->Spheres, this->Exact, build, child, this->Leaves);
       }
-      else if (child.Count <= leave)
+      else if (child.Count <= deferred)
       {
-        this->Rests.push_back({ index, i, depth + 1, child });
+        this->Subtrees.push_back({ index, i, depth + 1, child });
       }
       else
       {
         this->Nodes[index].Children[i] = static_cast<std::uint32_t>(this->Nodes.size());
-        this->Add(build, child, leave, depth + 1);
+        this->Add(build, child, deferred, depth + 1);
       }
     }
   }
 
 private:
-  // Neighbours in a leaf are strangers in the packing.
+  // Neighbours in a leaf are far apart in the packing's arrays.
   void PrefetchLeaves(const BuildSpheres& build, const NodeRanges& children) const
   {
     for (const BuildRange& child : children.Ranges)
@@ -154,8 +154,8 @@ private:
   }
 };
 
-// Copies a part to its place among all nodes and leaves.
-void Place(const Part& part, std::uint32_t node, std::uint32_t leaf, Bvh& bvh)
+// Copies a part to its nodes and leaves among all.
+void CopyPart(const Part& part, std::uint32_t node, std::uint32_t leaf, Bvh& bvh)
 {
   for (std::size_t i = 0; i < part.Nodes.size(); ++i)
   {
@@ -181,15 +181,15 @@ void Join(std::vector<Part>& parts, const ParallelFor& parallelFor, Bvh& bvh)
   }
   for (std::size_t i = 1; i < parts.size(); ++i)
   {
-    const Rest& rest = parts[0].Rests[i - 1];
-    parts[0].Nodes[rest.Node].Children[rest.Child] = nodes[i];
+    const Subtree& subtree = parts[0].Subtrees[i - 1];
+    parts[0].Nodes[subtree.Node].Children[subtree.Child] = nodes[i];
   }
   bvh.Nodes = HugeArray<BvhNode>(nodes.back());
   bvh.Leaves = HugeArray<BvhLeaf>(leaves.back());
   parallelFor(static_cast<std::int64_t>(parts.size()),
     [&](std::int64_t i)
     {
-      Place(parts[i], nodes[i], leaves[i], bvh);
+      CopyPart(parts[i], nodes[i], leaves[i], bvh);
       parts[i].Nodes = {};
       parts[i].Leaves = {};
     });
@@ -220,14 +220,14 @@ Bvh BuildBvh(const SphereArrays& spheres, const ParallelFor& parallelFor)
   none.Exact = bvh.Exact;
   std::vector<Part> parts(1, none);
   parts[0].Add(build, all, SubtreeSize, 0);
-  parts.resize(1 + parts[0].Rests.size(), none);
-  parallelFor(static_cast<std::int64_t>(parts[0].Rests.size()),
+  parts.resize(1 + parts[0].Subtrees.size(), none);
+  parallelFor(static_cast<std::int64_t>(parts[0].Subtrees.size()),
     [&](std::int64_t i)
     {
-      const Rest& rest = parts[0].Rests[i];
-      parts[i + 1].Leaves.reserve(rest.Range.Count / 5);
-      parts[i + 1].Nodes.reserve(rest.Range.Count / 16);
-      parts[i + 1].Add(build, rest.Range, 0, rest.Depth);
+      const Subtree& subtree = parts[0].Subtrees[i];
+      parts[i + 1].Leaves.reserve(subtree.Range.Count / 5);
+      parts[i + 1].Nodes.reserve(subtree.Range.Count / 16);
+      parts[i + 1].Add(build, subtree.Range, 0, subtree.Depth);
     });
   Join(parts, parallelFor, bvh);
   return bvh;

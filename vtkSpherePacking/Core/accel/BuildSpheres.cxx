@@ -23,7 +23,7 @@ BuildSpheres::BuildSpheres(
   const SphereArrays& spheres, double least, const ParallelFor& parallelFor)
   : For(parallelFor)
 {
-  this->Scene(spheres);
+  this->FindBounds(spheres);
   this->Ids = HugeArray<std::int32_t>(spheres.Count);
   this->Count = 0;
   for (std::int64_t i = 0; i < spheres.Count; ++i)
@@ -32,8 +32,8 @@ BuildSpheres::BuildSpheres(
     this->Count += spheres[i].R > least;
   }
   this->Spheres = HugeArray<BuildSphere>(this->Count);
-  this->Aside = HugeArray<BuildSphere>(this->Count);
-  this->IdsAside = HugeArray<std::int32_t>(this->Count);
+  this->ScratchSpheres = HugeArray<BuildSphere>(this->Count);
+  this->ScratchIds = HugeArray<std::int32_t>(this->Count);
   this->For(ChunksOf(this->Count),
     [&](std::int64_t chunk)
     {
@@ -49,7 +49,7 @@ BuildSpheres::BuildSpheres(
 }
 
 //------------------------------------------------------------------------------
-void BuildSpheres::Scene(const SphereArrays& spheres)
+void BuildSpheres::FindBounds(const SphereArrays& spheres)
 {
   const std::int64_t chunks = ChunksOf(spheres.Count);
   constexpr double big = std::numeric_limits<double>::max();
@@ -187,8 +187,8 @@ std::int64_t BuildSpheres::Partition(
 std::int64_t BuildSpheres::PartitionPart(std::int64_t first, std::int64_t last,
   const SahBinning& binning, const SahSplit& split, FloatBox (&centers)[2])
 {
-  // Without branches, which nobody could foretell: each sphere is written to where it would go on
-  // either side, and only one of the two places moves on.
+  // Without branches, which could not be predicted: each sphere is written to both sides, and only
+  // the end of the side that it belongs to moves on.
   std::int64_t left = first;
   std::int64_t right = first;
   for (std::int64_t i = first; i < last; ++i)
@@ -198,14 +198,15 @@ std::int64_t BuildSpheres::PartitionPart(std::int64_t first, std::int64_t last,
     const int side = binning.BinOf(sphere, split.Axis) >= split.Bin;
     this->Spheres[left] = sphere;
     this->Ids[left] = id;
-    this->Aside[right] = sphere;
-    this->IdsAside[right] = id;
+    this->ScratchSpheres[right] = sphere;
+    this->ScratchIds[right] = id;
     left += 1 - side;
     right += side;
     centers[side].AddCenter(sphere);
   }
-  std::copy(&this->Aside[first], &this->Aside[first] + (right - first), &this->Spheres[left]);
-  std::copy(&this->IdsAside[first], &this->IdsAside[first] + (right - first), &this->Ids[left]);
+  std::copy(&this->ScratchSpheres[first], &this->ScratchSpheres[first] + (right - first),
+    &this->Spheres[left]);
+  std::copy(&this->ScratchIds[first], &this->ScratchIds[first] + (right - first), &this->Ids[left]);
   return left;
 }
 
@@ -247,23 +248,23 @@ std::int64_t BuildSpheres::PartitionInParallel(
     target += part.Last - part.Middle;
   }
   const auto move =
-    [](const auto& from, std::int64_t first, std::int64_t last, auto& to, std::int64_t place)
-  { std::copy(from.data() + first, from.data() + last, to.data() + place); };
+    [](const auto& from, std::int64_t first, std::int64_t last, auto& to, std::int64_t at)
+  { std::copy(from.data() + first, from.data() + last, to.data() + at); };
   this->For(count,
     [&](std::int64_t k)
     {
       const Part& part = parts[k];
-      move(this->Spheres, part.First, part.Middle, this->Aside, part.Targets[0]);
-      move(this->Spheres, part.Middle, part.Last, this->Aside, part.Targets[1]);
-      move(this->Ids, part.First, part.Middle, this->IdsAside, part.Targets[0]);
-      move(this->Ids, part.Middle, part.Last, this->IdsAside, part.Targets[1]);
+      move(this->Spheres, part.First, part.Middle, this->ScratchSpheres, part.Targets[0]);
+      move(this->Spheres, part.Middle, part.Last, this->ScratchSpheres, part.Targets[1]);
+      move(this->Ids, part.First, part.Middle, this->ScratchIds, part.Targets[0]);
+      move(this->Ids, part.Middle, part.Last, this->ScratchIds, part.Targets[1]);
     });
   this->For(count,
     [&](std::int64_t k)
     {
       const Part& part = parts[k];
-      move(this->Aside, part.First, part.Last, this->Spheres, part.First);
-      move(this->IdsAside, part.First, part.Last, this->Ids, part.First);
+      move(this->ScratchSpheres, part.First, part.Last, this->Spheres, part.First);
+      move(this->ScratchIds, part.First, part.Last, this->Ids, part.First);
     });
   return middle;
 }

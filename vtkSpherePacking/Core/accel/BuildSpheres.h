@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// What builders of hierarchies work on: spheres that they put into the order of the leaves.
+/// What builders of hierarchies work on: spheres that are sorted into the order of the leaves.
 #ifndef BuildSpheres_h
 #define BuildSpheres_h
 
@@ -12,7 +12,7 @@
 
 namespace spherepacking
 {
-/// Neighbours in BuildSpheres, their box and that of their centres.
+/// A range of BuildSpheres, the box of the spheres and that of their centres.
 struct BuildRange
 {
   std::int64_t First = 0;
@@ -35,15 +35,15 @@ public:
 
   BuildRange All() const;
 
-  /// Puts the spheres of `range` in the order of the best split and returns its sides. Centres that
-  /// cannot be told apart are halved by number. `range` has two spheres at least.
+  /// Partitions the spheres of `range` by the best SAH split and returns the two sides. Where all
+  /// centres coincide the range is halved by number. `range` has two spheres at least.
   std::pair<BuildRange, BuildRange> Split(const BuildRange& range);
 
   /// The two halves of a range in its present order.
   std::pair<BuildRange, BuildRange> Halve(const BuildRange& range) const;
 
 private:
-  void Scene(const SphereArrays& spheres);
+  void FindBounds(const SphereArrays& spheres);
   SahSplit Find(const BuildRange& range, const SahBinning& binning, int bins) const;
   std::int64_t Partition(const BuildRange& range, const SahBinning& binning, const SahSplit& split,
     FloatBox (&centers)[2]);
@@ -52,9 +52,9 @@ private:
   std::int64_t PartitionInParallel(const BuildRange& range, const SahBinning& binning,
     const SahSplit& split, FloatBox (&centers)[2]);
 
-  // Where spheres are put aside, one for each.
-  HugeArray<BuildSphere> Aside;
-  HugeArray<std::int32_t> IdsAside;
+  // Scratch space of the partitioning.
+  HugeArray<BuildSphere> ScratchSpheres;
+  HugeArray<std::int32_t> ScratchIds;
   const ParallelFor& For;
 };
 }

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// A bounding volume hierarchy with eight children a node and up to eight spheres a leaf.
+/// The bounding volume hierarchy that rays traverse: eight children per node and up to eight
+/// spheres per leaf (a wide BVH, as of Wald, Benthin and Boulos, "Getting Rid of Packets", 2008).
 ///
 /// Boxes and spheres are single precision in coordinates that take the scene's box to [-1, 1],
-/// where rounding is the same whatever the scene's unit and place. They contain what they stand
-/// for, rounding included: they say what a ray cannot hit, and the packing's own numbers say what
-/// it does.
+/// where rounding is the same whatever the scene's unit and position. They are conservative,
+/// rounding included: they say what a ray cannot hit, and the packing's own numbers say what it
+/// does.
 #ifndef Bvh_h
 #define Bvh_h
 
@@ -20,7 +21,7 @@ struct alignas(32) BvhNode
 {
   static constexpr int Width = 8;
 
-  // Axis by axis. The box of a child that is not there is inside out.
+  // Axis by axis. The box of an empty slot is inside out.
   float Low[3][Width];
   float High[3][Width];
   std::uint32_t Children[Width];
@@ -40,8 +41,8 @@ struct alignas(32) BvhLeaf
   }
 };
 
-/// What a node says of a child: the index of a node or of a leaf. The root is no child, so 0 says
-/// that there is none.
+/// A reference to a child: the index of a node or, with the highest bit set, of a leaf. The root is
+/// no child, so 0 stands for an empty slot.
 struct BvhChild
 {
   static constexpr std::uint32_t LeafBit = 1u << 31;
@@ -52,7 +53,7 @@ struct BvhChild
 
 struct Bvh
 {
-  HugeArray<BvhNode> Nodes; ///< the first one is the root; none without spheres
+  HugeArray<BvhNode> Nodes; ///< the root first; empty without spheres
   HugeArray<BvhLeaf> Leaves;
   double Center[3]; ///< about the middle of the scene's box
   double Scale;     ///< a point p has the coordinates (p - Center) Scale; a power of two
@@ -63,7 +64,7 @@ struct Bvh
   float LeafCenter[3];
   float LeafScale;
 
-  /// Says that a child will be visited.
+  /// Prefetches a child that will be visited.
   void Prefetch(std::uint32_t child) const
   {
     const bool leaf = BvhChild::IsLeaf(child);
@@ -78,10 +79,10 @@ struct Bvh
     }
   }
 
-  /// The sphere at a place, that is eight times the leaf and the number in it, if `Exact`.
-  Sphere At(std::uint32_t place) const
+  /// The sphere in a slot, which is eight times the leaf plus the lane in it, if `Exact`.
+  Sphere At(std::uint32_t slot) const
   {
-    return this->Leaves[place / BvhLeaf::Width].At(static_cast<int>(place % BvhLeaf::Width));
+    return this->Leaves[slot / BvhLeaf::Width].At(static_cast<int>(slot % BvhLeaf::Width));
   }
 
   std::size_t Bytes() const

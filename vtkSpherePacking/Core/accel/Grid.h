@@ -74,10 +74,10 @@ struct Grid
 
   double Plane(int axis, std::int64_t i) const
   {
-    const double share = static_cast<double>(i) / static_cast<double>(this->Cells);
+    const double fraction = static_cast<double>(i) / static_cast<double>(this->Cells);
     return i == this->Cells
       ? this->Bounds.High[axis]
-      : this->Bounds.Low[axis] + share * (this->Bounds.High[axis] - this->Bounds.Low[axis]);
+      : this->Bounds.Low[axis] + fraction * (this->Bounds.High[axis] - this->Bounds.Low[axis]);
   }
 
 private:

@@ -141,7 +141,7 @@ struct SahBinning
   }
 };
 
-/// What goes left: centres in bins before `Bin` along `Axis`; none without a split (Axis -1).
+/// Centres in bins before `Bin` along `Axis` go to the first side. Axis -1: there is no split.
 struct SahSplit
 {
   int Axis = -1;

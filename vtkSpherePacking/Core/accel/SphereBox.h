@@ -26,8 +26,8 @@ inline bool Touches(const Sphere& sphere, const Box& box)
     {
       return false;
     }
-    const double share = sphere.R > 0.0 ? outside / sphere.R : 0.0;
-    squared += share * share;
+    const double ratio = sphere.R > 0.0 ? outside / sphere.R : 0.0;
+    squared += ratio * ratio;
   }
   return squared <= 1.0;
 }

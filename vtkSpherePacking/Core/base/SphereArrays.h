@@ -8,7 +8,7 @@
 
 namespace spherepacking
 {
-/// The spheres of a packing where they are, in single or double precision, without a copy.
+/// A view of the spheres of a packing, in single or double precision, without a copy.
 struct SphereArrays
 {
   std::int64_t Count = 0;
@@ -20,7 +20,7 @@ struct SphereArrays
 
   bool Single() const { return this->FloatCenters && this->FloatRadii; }
 
-  /// Says that sphere i will be asked for.
+  /// Prefetches sphere i.
   void Prefetch(std::int64_t i) const
   {
     if (this->FloatCenters)

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The rays of a vtkCamera.
 #ifndef CameraView_h
 #define CameraView_h
 
@@ -9,13 +8,14 @@ class vtkCamera;
 
 namespace spherepacking
 {
+/// The rays of a vtkCamera.
 struct CameraView
 {
   CameraRays Rays;
-  Vector ToEye; // unit vector against the direction of view
+  Vector ToEye; ///< unit vector against the direction of view
 
-  // False if the camera has no rays: its numbers are not finite, it stands where it looks at, looks
-  // along its view-up, or sees an angle or a height of 0.
+  /// False if the camera has no rays: its numbers are not finite, it stands where it looks at,
+  /// looks along its view-up, or sees an angle or a height of 0.
   bool Set(vtkCamera* camera, int width, int height);
 };
 }

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What an algorithm says of its work, beside what it made.
 #ifndef FieldData_h
 #define FieldData_h
 
@@ -13,6 +12,7 @@
 
 namespace spherepacking
 {
+/// Adds a field array of numbers, by which an algorithm tells of its work.
 inline void AddFieldArray(
   vtkDataObject* output, const char* name, const std::vector<double>& values)
 {

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How much memory a structure may take.
 #ifndef MemoryLimit_h
 #define MemoryLimit_h
 
@@ -7,7 +6,7 @@
 
 namespace spherepacking
 {
-// Half of the machine's memory, in bytes.
+/// Half of the machine's memory in bytes, the most that a structure may take.
 inline double HalfOfMemory()
 {
   vtksys::SystemInformation system;

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The arrays of a picture that rays make.
 #ifndef PictureArrays_h
 #define PictureArrays_h
 
@@ -12,16 +11,17 @@ class vtkImageData;
 
 namespace spherepacking
 {
-// Adds the point arrays of a picture to an image that has its size; their values mean nothing yet.
+/// Adds the point arrays of a ray-cast picture to an image that has its size; their values are not
+/// set yet.
 Picture AddPictureArrays(vtkImageData* image);
 
-// The same for the arrays of a picture that paths make.
+/// The same for a path-traced picture.
 void AddPathPictureArrays(vtkImageData* image);
 
-// Adds the field array "tile_extents".
+/// Adds the field array "tile_extents".
 void AddTileExtents(vtkDataObject* output, const std::vector<Tile>& tiles);
 
-// Fills a tile with what a ray that hits nothing shows.
+/// Fills a tile with what a ray that misses shows.
 void ClearTile(const Picture& picture, const Tile& tile);
 }
 
