@@ -7,7 +7,7 @@
 #include "bridge/GridGeometry.h"
 #include "bridge/Guard.h"
 #include "bridge/InterruptibleFor.h"
-#include "bridge/PackingSpheres.h"
+#include "bridge/RadiusArray.h"
 #include "bridge/SmpParallelFor.h"
 #include "bridge/SurfaceBox.h"
 

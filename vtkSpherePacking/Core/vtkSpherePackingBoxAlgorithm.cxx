@@ -5,12 +5,11 @@
 #include "bridge/CoordinateRange.h"
 #include "bridge/FieldData.h"
 #include "bridge/Guard.h"
-#include "bridge/PackingSpheres.h"
+#include "bridge/RadiusArray.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkPolyData.h"
-#include "vtkSpherePackingInput.h"
 
 //------------------------------------------------------------------------------
 int vtkSpherePackingBoxAlgorithm::RequestData(
@@ -25,7 +24,7 @@ int vtkSpherePackingBoxAlgorithm::RequestData(
     vtkDataArray* radii = spherepacking::RadiiOf(packing, this->RadiusArrayName);
     const spherepacking::Stopwatch watch;
     double bounds[6];
-    vtkSpherePackingInput::ComputeBounds(packing, radii, bounds);
+    spherepacking::ComputeBounds(packing, radii, bounds);
     spherepacking::CheckFinite(bounds);
     spherepacking::BoxOutput boxes;
     this->MakeBoxes(packing, radii, bounds, boxes, output);

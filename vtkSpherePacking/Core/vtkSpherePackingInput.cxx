@@ -1,172 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSpherePackingInput.h"
 
-#include "vtkArrayDispatch.h"
-#include "vtkDataArray.h"
-#include "vtkDataArrayRange.h"
-#include "vtkMath.h"
+#include "bridge/RadiusArray.h"
+
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
-#include "vtkPolyData.h"
-#include "vtkSMPThreadLocal.h"
-#include "vtkSMPTools.h"
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <sstream>
-
-namespace
-{
-// The lowest index at which a value is unusable, so that the message does not depend on threads.
-struct FirstBadValue
-{
-  vtkIdType Index = std::numeric_limits<vtkIdType>::max();
-
-  template <typename ArrayT>
-  void operator()(ArrayT* array, bool allowNegative)
-  {
-    const auto values = vtk::DataArrayValueRange(array);
-    vtkSMPThreadLocal<vtkIdType> firsts(this->Index);
-    vtkSMPTools::For(0, values.size(),
-      [&](vtkIdType begin, vtkIdType end)
-      {
-        vtkIdType& first = firsts.Local();
-        for (vtkIdType i = begin; i < end; ++i)
-        {
-          const double value = static_cast<double>(values[i]);
-          if (!std::isfinite(value) || (!allowNegative && value < 0.0))
-          {
-            first = std::min(first, i);
-            return;
-          }
-        }
-      });
-    for (const vtkIdType first : firsts)
-    {
-      this->Index = std::min(this->Index, first);
-    }
-  }
-
-  static vtkIdType Find(vtkDataArray* array, bool allowNegative)
-  {
-    FirstBadValue worker;
-    if (!vtkArrayDispatch::Dispatch::Execute(array, worker, allowNegative))
-    {
-      worker(array, allowNegative);
-    }
-    return worker.Index < array->GetNumberOfValues() ? worker.Index : -1;
-  }
-};
-
-struct SphereBounds
-{
-  template <typename PointsT, typename RadiiT>
-  void operator()(PointsT* points, RadiiT* radii, double bounds[6])
-  {
-    const auto centres = vtk::DataArrayTupleRange<3>(points);
-    const auto r = vtk::DataArrayValueRange<1>(radii);
-    const double inf = std::numeric_limits<double>::infinity();
-    const std::array<double, 6> empty{ inf, -inf, inf, -inf, inf, -inf };
-    vtkSMPThreadLocal<std::array<double, 6>> locals(empty);
-    vtkSMPTools::For(0, centres.size(),
-      [&](vtkIdType begin, vtkIdType end)
-      {
-        std::array<double, 6> box = locals.Local();
-        for (vtkIdType i = begin; i < end; ++i)
-        {
-          const double radius = static_cast<double>(r[i]);
-          for (int axis = 0; axis < 3; ++axis)
-          {
-            const double x = static_cast<double>(centres[i][axis]);
-            box[2 * axis] = std::min(box[2 * axis], x - radius);
-            box[2 * axis + 1] = std::max(box[2 * axis + 1], x + radius);
-          }
-        }
-        locals.Local() = box;
-      });
-    std::copy(empty.begin(), empty.end(), bounds);
-    for (const auto& box : locals)
-    {
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        bounds[2 * axis] = std::min(bounds[2 * axis], box[2 * axis]);
-        bounds[2 * axis + 1] = std::max(bounds[2 * axis + 1], box[2 * axis + 1]);
-      }
-    }
-  }
-};
-}
 
 vtkStandardNewMacro(vtkSpherePackingInput);
 
 //------------------------------------------------------------------------------
 vtkDataArray* vtkSpherePackingInput::FindRadii(vtkPolyData* packing, const char* name)
 {
-  this->Message.clear();
-  std::ostringstream message;
-  const vtkIdType count = packing ? packing->GetNumberOfPoints() : 0;
-  if (count == 0)
-  {
-    return nullptr;
-  }
-  vtkAbstractArray* found = name ? packing->GetPointData()->GetAbstractArray(name) : nullptr;
-  vtkDataArray* radii = vtkDataArray::SafeDownCast(found);
-  if (!found)
-  {
-    message << "the packing has no point array '" << (name ? name : "(null)")
-            << "' to take the radii from";
-  }
-  else if (!radii)
-  {
-    message << "the radius array '" << name << "' is a " << found->GetClassName()
-            << ", expected a numeric array";
-  }
-  else if (radii->GetNumberOfComponents() != 1)
-  {
-    message << "the radius array '" << name << "' has " << radii->GetNumberOfComponents()
-            << " components, expected 1";
-  }
-  else if (radii->GetNumberOfTuples() != count)
-  {
-    message << "the radius array '" << name << "' has " << radii->GetNumberOfTuples()
-            << " values, expected one for each of " << count << " points";
-  }
-  else if (const vtkIdType bad = FirstBadValue::Find(radii, false); bad >= 0)
-  {
-    message << "the radius array '" << name << "' holds " << radii->GetTuple1(bad) << " at point "
-            << bad << ", expected a finite number that is not negative";
-  }
-  else
-  {
-    vtkDataArray* points = packing->GetPoints()->GetData();
-    if (const vtkIdType at = FirstBadValue::Find(points, true); at >= 0)
-    {
-      message << "the centre of point " << at / 3 << " has the coordinate "
-              << points->GetComponent(at / 3, static_cast<int>(at % 3))
-              << ", expected a finite number";
-    }
-  }
-  this->Message = message.str();
-  return this->Message.empty() ? radii : nullptr;
+  return spherepacking::FindRadii(packing, name, this->Message);
 }
 
 //------------------------------------------------------------------------------
 void vtkSpherePackingInput::ComputeBounds(
   vtkPolyData* packing, vtkDataArray* radii, double bounds[6])
 {
-  if (!packing || !radii || packing->GetNumberOfPoints() == 0)
-  {
-    vtkMath::UninitializeBounds(bounds);
-    return;
-  }
-  SphereBounds worker;
-  vtkDataArray* points = packing->GetPoints()->GetData();
-  using Dispatcher =
-    vtkArrayDispatch::Dispatch2ByValueType<vtkArrayDispatch::Reals, vtkArrayDispatch::AllTypes>;
-  if (!Dispatcher::Execute(points, radii, worker, bounds))
-  {
-    worker(points, radii, bounds);
-  }
+  spherepacking::ComputeBounds(packing, radii, bounds);
 }

@@ -6,6 +6,7 @@
 
 namespace spherepacking
 {
+/// A vector for geometry that is written in vectors.
 struct Vector3
 {
   double X = 0.0;
@@ -44,6 +45,21 @@ inline Vector3 Cross(const Vector3& a, const Vector3& b)
 inline double Length(const Vector3& a)
 {
   return std::sqrt(Dot(a, a));
+}
+
+/// A vector for loops over its axes, as a member of arrays that processors load at once.
+using Double3 = double[3];
+
+inline double Dot(const Double3& a, const Double3& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+inline void Cross(const Double3& a, const Double3& b, Double3& result)
+{
+  result[0] = a[1] * b[2] - a[2] * b[1];
+  result[1] = a[2] * b[0] - a[0] * b[2];
+  result[2] = a[0] * b[1] - a[1] * b[0];
 }
 }
 

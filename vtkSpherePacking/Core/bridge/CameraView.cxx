@@ -44,7 +44,7 @@ struct ViewRays
 
 // World space = M (vx, vy, -depth, 1).
 void ToWorld(
-  const vtkMatrix4x4* matrix, const double (&xy)[2], double depth, double one, Vector& result)
+  const vtkMatrix4x4* matrix, const double (&xy)[2], double depth, double one, Double3& result)
 {
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -105,7 +105,7 @@ bool CameraView::Set(vtkCamera* camera, int width, int height)
         rays.DY[axis]);
   }
   // Three directions that span space.
-  Vector normal;
+  Double3 normal;
   Cross(parallel ? rays.OX : rays.DX, parallel ? rays.OY : rays.DY, normal);
   return finite && std::abs(Dot(normal, rays.D0)) > 0.0;
 }

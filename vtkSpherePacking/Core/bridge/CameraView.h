@@ -12,7 +12,7 @@ namespace spherepacking
 struct CameraView
 {
   CameraRays Rays;
-  Vector ToEye; ///< unit vector against the direction of view
+  Double3 ToEye; ///< unit vector against the direction of view
 
   /// False if the camera has no rays: its numbers are not finite, it stands where it looks at,
   /// looks along its view-up, or sees an angle or a height of 0.

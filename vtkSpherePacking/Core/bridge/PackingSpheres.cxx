@@ -6,12 +6,8 @@
 #include "vtkDataArrayRange.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
-#include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkSpherePackingInput.h"
-
-#include <stdexcept>
 
 namespace spherepacking
 {
@@ -49,18 +45,6 @@ void Use(
     doubles = copy.data();
   }
 }
-}
-
-//------------------------------------------------------------------------------
-vtkDataArray* RadiiOf(vtkPolyData* packing, const std::string& name)
-{
-  vtkNew<vtkSpherePackingInput> input;
-  vtkDataArray* radii = input->FindRadii(packing, name.c_str());
-  if (*input->GetMessage())
-  {
-    throw std::invalid_argument(input->GetMessage());
-  }
-  return radii;
 }
 
 //------------------------------------------------------------------------------

@@ -4,7 +4,6 @@
 
 #include "base/SphereArrays.h"
 
-#include <string>
 #include <vector>
 
 class vtkDataArray;
@@ -12,13 +11,9 @@ class vtkPolyData;
 
 namespace spherepacking
 {
-/// The radii of a packing, null for one without points; what vtkSpherePackingInput finds wrong is a
-/// std::invalid_argument.
-vtkDataArray* RadiiOf(vtkPolyData* packing, const std::string& name);
-
 /// The spheres of a packing for those who know no VTK. Centres and radii that are floats or doubles
 /// side by side are used where they are, which has to outlive this; others are copied as doubles.
-/// `radii` is what RadiiOf() found; null gives no spheres.
+/// `radii` is what RadiiOf() in bridge/RadiusArray.h found; null gives no spheres.
 class PackingSpheres
 {
 public:

@@ -5,12 +5,12 @@
 #include "bridge/CoordinateRange.h"
 #include "bridge/Guard.h"
 #include "bridge/MemoryLimit.h"
+#include "bridge/RadiusArray.h"
 #include "bridge/SmpParallelFor.h"
 
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkSpherePackingInput.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +24,7 @@ namespace
 Grid GridOf(vtkPolyData* packing, vtkDataArray* radii, std::int64_t cells)
 {
   double bounds[6];
-  vtkSpherePackingInput::ComputeBounds(packing, radii, bounds);
+  ComputeBounds(packing, radii, bounds);
   return { { { bounds[0], bounds[2], bounds[4] }, { bounds[1], bounds[3], bounds[5] } }, cells };
 }
 
@@ -93,7 +93,7 @@ void PreparedScene::Prepare(vtkPolyData* packing, const StructureOptions& option
     return;
   }
   double bounds[6];
-  vtkSpherePackingInput::ComputeBounds(packing, radii, bounds);
+  ComputeBounds(packing, radii, bounds);
   CheckCoordinateRange(bounds);
   const Stopwatch watch;
   this->Spheres.reset(new PackingSpheres(packing, radii));

@@ -49,7 +49,7 @@ inline Point2 OnCircle(double u)
 /// a x + b y + c n, where x, y and the unit vector n are perpendicular.
 ///
 /// Source: Duff et al., "Building an Orthonormal Basis, Revisited" (2017).
-inline void FromBasis(const Vector& n, double a, double b, double c, Vector& result)
+inline void FromBasis(const Double3& n, double a, double b, double c, Double3& result)
 {
   const double sign = std::copysign(1.0, n[2]);
   const double p = -1.0 / (sign + n[2]);
@@ -60,7 +60,7 @@ inline void FromBasis(const Vector& n, double a, double b, double c, Vector& res
 }
 
 /// A unit vector on the side of n, with a density of the cosine over pi.
-inline void CosineDirection(const Vector& n, const Point2& u, Vector& direction)
+inline void CosineDirection(const Double3& n, const Point2& u, Double3& direction)
 {
   const double radius = std::sqrt(u.X);
   const Point2 circle = OnCircle(u.Y);
@@ -69,7 +69,7 @@ inline void CosineDirection(const Vector& n, const Point2& u, Vector& direction)
 
 /// A unit vector whose angle with the unit vector n is no more than that of the given cosine, all
 /// equally likely. `outside` is 1 minus the cosine, which keeps the digits of small angles.
-inline void ConeDirection(const Vector& n, double outside, const Point2& u, Vector& direction)
+inline void ConeDirection(const Double3& n, double outside, const Point2& u, Double3& direction)
 {
   const double less = u.X * outside;
   const double radius = std::sqrt(less * (2.0 - less));

@@ -15,8 +15,8 @@ inline namespace SPHEREPACKING_ISA
 /// A path on its way from the camera, at the outside of a sphere.
 struct Path
 {
-  Vector Point;
-  Vector Normal;
+  Double3 Point;
+  Double3 Normal;
   std::int64_t Id;     ///< of the sphere, negative for none
   float Throughput[3]; ///< what part of the light that leaves here reaches the camera
   float Radiance[3];
@@ -111,7 +111,7 @@ private:
     return OwenSobol(path.Seed).At(path.Index, pair);
   }
 
-  void PushRay(const Path& path, const Vector& d)
+  void PushRay(const Path& path, const Double3& d)
   {
     const int i = this->Stream.Count++;
     this->Stream.Rays[i] = { { path.Point[0], path.Point[1], path.Point[2] },
@@ -151,7 +151,7 @@ private:
     for (int k = 0; k < active; ++k)
     {
       const Path& path = this->Paths[this->Active[k]];
-      Vector d;
+      Double3 d;
       CosineDirection(path.Normal, PointOf(path, pair), d);
       this->PushRay(path, d);
     }
@@ -200,7 +200,7 @@ private:
     }
   }
 
-  void AddSkyRadiance(Path& path, const Vector& d, double weight) const
+  void AddSkyRadiance(Path& path, const Double3& d, double weight) const
   {
     float sky[3];
     this->Light.Sky.Radiance(d, sky);
@@ -221,7 +221,7 @@ private:
     for (int k = 0; k < active; ++k)
     {
       const Path& path = this->Paths[this->Active[k]];
-      Vector d;
+      Double3 d;
       const double density = draw(PointOf(path, pair), d);
       if (Dot(path.Normal, d) > 0.0 && density > 0.0)
       {
@@ -246,12 +246,12 @@ private:
     const Sun& sun = this->Light.Sun;
     this->SampleLight(
       active, pair,
-      [&](const Point2& point, Vector& d)
+      [&](const Point2& point, Double3& d)
       {
         ConeDirection(sun.Direction, sun.OneMinusCosine, point, d);
         return 1.0;
       },
-      [&](Path& path, const Vector& d, double)
+      [&](Path& path, const Double3& d, double)
       {
         const auto cosine = static_cast<float>(Dot(path.Normal, d));
         for (int channel = 0; channel < 3; ++channel)
@@ -265,8 +265,8 @@ private:
   {
     this->SampleLight(
       active, pair,
-      [&](const Point2& point, Vector& d) { return this->Light.Sky.Sample(point.X, point.Y, d); },
-      [&](Path& path, const Vector& d, double density)
+      [&](const Point2& point, Double3& d) { return this->Light.Sky.Sample(point.X, point.Y, d); },
+      [&](Path& path, const Double3& d, double density)
       {
         // The MIS weight density / (density + bsdf), times bsdf / density.
         const double bsdf = Dot(path.Normal, d) * InversePi;
@@ -276,7 +276,7 @@ private:
 
   // MIS weight of a scattered direction beside next-event estimation of the sky, by the balance
   // heuristic; 1 where the sky is not sampled.
-  double MisWeight(const Path& path, const Vector& d) const
+  double MisWeight(const Path& path, const Double3& d) const
   {
     if (!this->Light.Sky.CanSample())
     {

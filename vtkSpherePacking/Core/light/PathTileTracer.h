@@ -186,7 +186,7 @@ private:
   // Samples whose paths are traced at the same time, so that streams have more rays of a kind.
   static constexpr unsigned SamplesTogether = RayStream::Maximum / RayBlock::Count;
   static constexpr float Nothing[3] = {};
-  static constexpr Vector NoLight = { 0.0, 0.0, 0.0 };
+  static constexpr Double3 NoLight = { 0.0, 0.0, 0.0 };
 
   const SphereArrays& Spheres;
   const PathLight& Light;

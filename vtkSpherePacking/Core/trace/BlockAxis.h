@@ -23,7 +23,7 @@ struct BlockAxis
   float TwiceNZ = 0.0f;
   float ZZ = 0.0f;
 
-  void Set(const Vector& n, double scale, double offset, const Vector& eye, const Bvh& bvh)
+  void Set(const Double3& n, double scale, double offset, const Double3& eye, const Bvh& bvh)
   {
     double d = 0.0;
     double length = 0.0;

@@ -27,7 +27,7 @@ struct BlockSurface
   alignas(64) double Normal[3][RayBlock::Count];
   alignas(64) double Cosine[RayBlock::Count];
 
-  void Find(const RayBlock& block, const Scene& scene, const Vector& toEye)
+  void Find(const RayBlock& block, const Scene& scene, const Double3& toEye)
   {
     // Those of the leaves have just been seen.
     const bool exact = scene.Hierarchy && scene.Hierarchy->Exact;
@@ -116,7 +116,7 @@ public:
   BlockSurface Surface;
   Tile Pixels; ///< of the block
 
-  BlockCaster(const Scene& scene, const CameraRays& camera, const Vector& toEye,
+  BlockCaster(const Scene& scene, const CameraRays& camera, const Double3& toEye,
     const TraceBlockT& traceBlock)
     : Input(scene)
     , Camera(camera)
@@ -159,7 +159,7 @@ public:
 private:
   const Scene& Input;
   const CameraRays& Camera;
-  const Vector& ToEye;
+  const Double3& ToEye;
   const TraceBlockT& TraceBlock;
 };
 }

@@ -119,7 +119,7 @@ public:
   }
 
 private:
-  void SetAxis(BlockAxis& axis, const Vector& n, const Vector& z, double first, double length,
+  void SetAxis(BlockAxis& axis, const Double3& n, const Double3& z, double first, double length,
     const CameraRays& rays, const Bvh& bvh)
   {
     if (rays.Parallel)
@@ -128,7 +128,7 @@ private:
       axis.NN = static_cast<float>(Dot(n, n) / (bvh.Scale * bvh.Scale));
       return;
     }
-    Vector relative;
+    Double3 relative;
     for (int i = 0; i < 3; ++i)
     {
       relative[i] = n[i] - first * z[i];

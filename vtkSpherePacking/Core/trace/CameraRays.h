@@ -3,37 +3,22 @@
 #ifndef CameraRays_h
 #define CameraRays_h
 
+#include "base/Vector3.h"
 #include "trace/RaySphere.h"
-
-#include <algorithm>
 
 namespace spherepacking
 {
-using Vector = double[3];
-
-inline double Dot(const Vector& a, const Vector& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-inline void Cross(const Vector& a, const Vector& b, Vector& result)
-{
-  result[0] = a[1] * b[2] - a[2] * b[1];
-  result[1] = a[2] * b[0] - a[0] * b[2];
-  result[2] = a[0] * b[1] - a[1] * b[0];
-}
-
 /// x and y count pixels from the lower left corner of the picture; the middle of the first pixel is
 /// at 0.5. Directions have length 1 along the viewing direction, so that t is the depth.
 struct CameraRays
 {
   bool Parallel; ///< if so DX and DY are 0, else OX and OY
-  Vector O0;
-  Vector OX;
-  Vector OY;
-  Vector D0;
-  Vector DX;
-  Vector DY;
+  Double3 O0;
+  Double3 OX;
+  Double3 OY;
+  Double3 D0;
+  Double3 DX;
+  Double3 DY;
 
   Ray At(double x, double y) const
   {
@@ -51,14 +36,14 @@ struct CameraRays
 /// has the depth Z.f and is seen at x = X.f and y = Y.f, in perspective over the depth.
 struct CameraProjection
 {
-  Vector X;
-  Vector Y;
-  Vector Z;
+  Double3 X;
+  Double3 Y;
+  Double3 Z;
 
   explicit CameraProjection(const CameraRays& rays)
   {
-    const Vector& a = rays.Parallel ? rays.OX : rays.DX;
-    const Vector& b = rays.Parallel ? rays.OY : rays.DY;
+    const Double3& a = rays.Parallel ? rays.OX : rays.DX;
+    const Double3& b = rays.Parallel ? rays.OY : rays.DY;
     Cross(b, rays.D0, this->X);
     Cross(rays.D0, a, this->Y);
     Cross(a, b, this->Z);

@@ -14,7 +14,7 @@ template <typename TraceBlockT>
 class TileTracer
 {
 public:
-  TileTracer(const Scene& scene, const CameraRays& rays, const Vector& toEye, int samples,
+  TileTracer(const Scene& scene, const CameraRays& rays, const Double3& toEye, int samples,
     const Picture& picture, const TraceBlockT& traceBlock)
     : Colors(scene.Colors)
     , Samples(samples)
@@ -119,7 +119,7 @@ private:
   int Sums[RayBlock::Count][4];
 };
 
-inline void TraceTileImpl(const Scene& scene, const CameraRays& rays, const Vector& toEye,
+inline void TraceTileImpl(const Scene& scene, const CameraRays& rays, const Double3& toEye,
   int samples, const Tile& tile, const Picture& picture)
 {
   WithBlockTracer(scene, rays,

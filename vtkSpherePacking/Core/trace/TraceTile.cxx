@@ -6,7 +6,7 @@
 namespace spherepacking
 {
 //------------------------------------------------------------------------------
-void TraceTile(const Scene& scene, const CameraRays& rays, const Vector& toEye, int samples,
+void TraceTile(const Scene& scene, const CameraRays& rays, const Double3& toEye, int samples,
   const Tile& tile, const Picture& picture)
 {
   SPHEREPACKING_DISPATCH(TraceTile)(scene, rays, toEye, samples, tile, picture);

@@ -36,7 +36,7 @@ struct Tile
 
 /// Colours are the mean of samples x samples rays per pixel, on a regular grid, lit by a headlight
 /// in the direction `toEye` (a unit vector); all else is of the ray through the pixel's middle.
-void TraceTile(const Scene& scene, const CameraRays& rays, const Vector& toEye, int samples,
+void TraceTile(const Scene& scene, const CameraRays& rays, const Double3& toEye, int samples,
   const Tile& tile, const Picture& picture);
 }
 

@@ -8,7 +8,7 @@
 
 namespace spherepacking
 {
-void TraceTileAvx2(const Scene& scene, const CameraRays& rays, const Vector& toEye, int samples,
+void TraceTileAvx2(const Scene& scene, const CameraRays& rays, const Double3& toEye, int samples,
   const Tile& tile, const Picture& picture)
 {
   TraceTileImpl(scene, rays, toEye, samples, tile, picture);
