@@ -26,7 +26,7 @@ public:
   /**
    * The radii of `packing`, or null together with a sentence in GetMessage() that names what was
    * found and what was expected. Accepted is a point array named `name` of any numeric type with
-   * one component, one value a point, all values finite and not negative, over centres that are
+   * one component, one value per point, all values finite and not negative, over centres that are
    * finite. A packing without points needs no array and yields null with an empty message.
    */
   vtkDataArray* FindRadii(vtkPolyData* packing, const char* name);

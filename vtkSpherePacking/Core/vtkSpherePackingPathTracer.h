@@ -3,10 +3,11 @@
  * @class   vtkSpherePackingPathTracer
  * @brief   pictures of a packing in the light of a sky and a sun
  *
- * Follows paths of light from the camera from sphere to sphere until they end in the sky. Spheres
- * are opaque and matt (Lambert): what they reflect is the albedo times their colour, which the
- * superclass finds. They are lit from outside alone: what is seen from inside of a sphere is as
- * bright as its other side. light/TracePaths.h says how paths are chosen.
+ * Traces paths from the camera from sphere to sphere until they end in the sky. Spheres are opaque
+ * and diffuse (Lambert): what they reflect is the albedo times their colour, which the superclass
+ * finds. They are lit from outside alone: what is seen from inside of a sphere is as bright as its
+ * other side. Next-event estimation, multiple importance sampling and Russian roulette are used as
+ * light/TracePaths.h says.
  *
  * The output has the point arrays
  *
@@ -15,17 +16,17 @@
  * - `albedo` and `normal`, three floats each: the means over the samples of what is hit first, 0
  *   for the sky;
  * - `depth` and `sphere_id`: of the ray through the pixel's middle, as in the superclass;
- * - `coverage`, float: the share of the samples that hit a sphere;
+ * - `coverage`, float: the fraction of the samples that hit a sphere;
  * - `samples`, unsigned int: how many there are;
- * - `variance`, float: of the radiance's brightness, if samples were drawn independently of each
- *   other; they are more even than that, so that it is too large rather than too small;
+ * - `variance`, float: of the mean radiance's luminance, if samples were drawn independently of
+ * each other; they are more even than that, so that it is too large rather than too small;
  * - `color`, four unsigned chars: `radiance` in sRGB, and opacity.
  *
  * The picture depends on the seed and not on tiles, threads or the structure, to the last bit. It
- * is kept: with a larger number of samples only what is missing is traced, from whatever an abort
- * or the time budget left; so it is when nothing but exposure or the like has changed. A picture
- * that has been written into since is made anew. Only with a noise target does it matter where an
- * earlier run ended.
+ * accumulates: with a larger number of samples only the missing ones are traced, also after an
+ * abort or an exhausted time budget; nothing is traced when only the exposure or the like has
+ * changed. A picture that has been written into since starts anew. Only with a noise target does it
+ * matter where an earlier run ended.
  *
  * Field arrays are those of the superclass without `partial_seconds`, and `traced_samples`, how
  * many the last run added over all pixels. `complete_seconds` and `compute_seconds` are of the last
@@ -60,8 +61,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Samples a pixel, from 1 on, default 16. Other numbers are an error when the filter runs, as are
-   * wrong values of all that follows.
+   * Samples per pixel, from 1 on, default 16. Other numbers are an error when the filter runs, as
+   * are wrong values of all that follows.
    */
   vtkSetMacro(NumberOfSamples, int);
   vtkGetMacro(NumberOfSamples, int);
@@ -74,7 +75,7 @@ public:
   vtkGetMacro(MaximumNumberOfBounces, int);
 
   /**
-   * What part of the light a white sphere reflects, from 0 to 1, default 0.8.
+   * The fraction of the light that a white sphere reflects, from 0 to 1, default 0.8.
    */
   vtkSetMacro(Albedo, double);
   vtkGetMacro(Albedo, double);
@@ -97,7 +98,7 @@ public:
   ///@}
 
   /**
-   * Radiance of the sky instead of that, none by default: the scalars of an image of three
+   * Radiance of the sky instead of that, null by default: the scalars of an image of three
    * components, from 0 to 1e15, in equirectangular projection: rows from -z to +z, the middle
    * column at +x and that at a quarter of the width at +y.
    */
@@ -132,7 +133,7 @@ public:
 
   /**
    * With a time budget, begin with one pixel in four, whose light `color` shows at the other three
-   * as well for as long as they have none. Off by default.
+   * as well until they have a sample. Off by default.
    */
   vtkSetMacro(Preview, bool);
   vtkGetMacro(Preview, bool);
@@ -146,8 +147,8 @@ public:
   vtkGetMacro(NoiseTarget, double);
 
   /**
-   * How many samples a pixel gets before its error is believed, from 2 on, default 16. It is looked
-   * at after every eighth sample.
+   * How many samples a pixel gets before its error is estimated, from 2 on, default 16; then it is
+   * estimated after every eighth sample.
    */
   vtkSetMacro(MinimumNumberOfSamples, int);
   vtkGetMacro(MinimumNumberOfSamples, int);
@@ -174,9 +175,9 @@ public:
   vtkBooleanMacro(SkyVisible, bool);
 
   /**
-   * Writes what `color` would be if the last picture had another radiance, a denoised one for
-   * example: three components a pixel. Returns false and changes nothing if there is no picture or
-   * the array has not its size.
+   * Tone-maps another radiance than that of the last picture, a denoised one for example, into
+   * `color`: three components per pixel. Returns false and changes nothing if there is no picture
+   * or the array does not have its size.
    */
   bool Develop(vtkFloatArray* radiance, vtkUnsignedCharArray* color);
 

@@ -27,7 +27,7 @@
  * begun any more, and those that were not made show nothing. Field arrays: `tile_extents` (first
  * and last pixel along x, then y), `compute_seconds` of each tile, `partial_seconds` from its begin
  * until its progress has been reported, `complete_seconds` of the picture, `build_seconds` and
- * `memory_bytes` of the structure, which is kept until the packing changes.
+ * `memory_bytes` of the structure, which is built once for a packing until that changes.
  *
  * An error leaves an empty output, is reported through vtkErrorMacro and sets GetErrorCode().
  * GetErrorMessage() is the sentence.
@@ -64,8 +64,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * The camera, none by default, which is an error when the filter runs; so is one that looks
-   * nowhere.
+   * The camera, null by default, which is an error when the filter runs; so is one that has no
+   * direction of view.
    */
   void SetCamera(vtkCamera* camera);
   vtkCamera* GetCamera();
@@ -100,8 +100,9 @@ public:
   vtkGetMacro(Cuts, int);
 
   /**
-   * n for n x n rays a pixel, whose colours are averaged; from 1, the default, to 16. Other numbers
-   * become the nearest of these. Everything but the colour is of the ray through the middle.
+   * n for n x n rays per pixel, whose colours are averaged; from 1, the default, to 16. Other
+   * numbers become the nearest of these. Everything but the colour is of the ray through the
+   * middle.
    */
   vtkSetClampMacro(Samples, int, 1, 16);
   vtkGetMacro(Samples, int);
@@ -120,8 +121,8 @@ public:
   vtkGetCharFromStdStringMacro(RadiusArrayName);
 
   /**
-   * Name of the point array that holds the scalars to colour by, default none. An array of that
-   * name that is not there is an error when the filter runs.
+   * Name of the point array that holds the scalars to colour by, empty by default: no scalars. A
+   * name of no array is an error when the filter runs.
    */
   vtkSetStdStringFromCharMacro(ColorArrayName);
   vtkGetCharFromStdStringMacro(ColorArrayName);
@@ -140,7 +141,7 @@ public:
   vtkGetVector3Macro(Color, double);
 
   /**
-   * One random colour a sphere, the same at every run, instead of scalars. Off by default.
+   * One random colour per sphere, the same at every run, instead of scalars. Off by default.
    */
   vtkSetMacro(RandomColors, bool);
   vtkGetMacro(RandomColors, bool);

@@ -215,12 +215,12 @@ Bvh BuildBvh(const SphereArrays& spheres, const ParallelFor& parallelFor)
   {
     return bvh;
   }
-  Part none;
-  none.Spheres = &spheres;
-  none.Exact = bvh.Exact;
-  std::vector<Part> parts(1, none);
+  Part empty;
+  empty.Spheres = &spheres;
+  empty.Exact = bvh.Exact;
+  std::vector<Part> parts(1, empty);
   parts[0].Add(build, all, SubtreeSize, 0);
-  parts.resize(1 + parts[0].Subtrees.size(), none);
+  parts.resize(1 + parts[0].Subtrees.size(), empty);
   parallelFor(static_cast<std::int64_t>(parts[0].Subtrees.size()),
     [&](std::int64_t i)
     {

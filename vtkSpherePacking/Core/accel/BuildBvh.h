@@ -8,7 +8,8 @@
 
 namespace spherepacking
 {
-/// Spheres of radius 0, which no ray hits, are left out. The result does not depend on the threads.
+/// Builds the hierarchy by the surface-area heuristic, without spheres of radius 0, which no ray
+/// hits. The result does not depend on the threads.
 Bvh BuildBvh(const SphereArrays& spheres, const ParallelFor& parallelFor);
 }
 

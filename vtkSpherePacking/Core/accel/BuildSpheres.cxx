@@ -189,32 +189,32 @@ std::int64_t BuildSpheres::PartitionPart(std::int64_t first, std::int64_t last,
 {
   // Without branches, which could not be predicted: each sphere is written to both sides, and only
   // the end of the side that it belongs to moves on.
-  std::int64_t left = first;
-  std::int64_t right = first;
+  std::int64_t low = first;
+  std::int64_t high = first;
   for (std::int64_t i = first; i < last; ++i)
   {
     const BuildSphere sphere = this->Spheres[i];
     const std::int32_t id = this->Ids[i];
     const int side = binning.BinOf(sphere, split.Axis) >= split.Bin;
-    this->Spheres[left] = sphere;
-    this->Ids[left] = id;
-    this->ScratchSpheres[right] = sphere;
-    this->ScratchIds[right] = id;
-    left += 1 - side;
-    right += side;
+    this->Spheres[low] = sphere;
+    this->Ids[low] = id;
+    this->ScratchSpheres[high] = sphere;
+    this->ScratchIds[high] = id;
+    low += 1 - side;
+    high += side;
     centers[side].AddCenter(sphere);
   }
-  std::copy(&this->ScratchSpheres[first], &this->ScratchSpheres[first] + (right - first),
-    &this->Spheres[left]);
-  std::copy(&this->ScratchIds[first], &this->ScratchIds[first] + (right - first), &this->Ids[left]);
-  return left;
+  std::copy(&this->ScratchSpheres[first], &this->ScratchSpheres[first] + (high - first),
+    &this->Spheres[low]);
+  std::copy(&this->ScratchIds[first], &this->ScratchIds[first] + (high - first), &this->Ids[low]);
+  return low;
 }
 
 //------------------------------------------------------------------------------
 std::int64_t BuildSpheres::PartitionInParallel(
   const BuildRange& range, const SahBinning& binning, const SahSplit& split, FloatBox (&centers)[2])
 {
-  // Each chunk by itself, then all left and all right sides together.
+  // Each chunk by itself, then all first and all second sides together.
   struct Part
   {
     std::int64_t First;

@@ -94,8 +94,8 @@ GridTable BuildGrid(const Grid& grid, const SphereArrays& spheres, const Paralle
   ForEachTouch(grid, spheres, margin, least, parallelFor,
     [&](std::int64_t cell, std::int64_t id)
     {
-      const std::int32_t left = counts[cell].fetch_sub(1, std::memory_order_relaxed);
-      table.Ids[table.Starts[cell + 1] - left] = static_cast<std::int32_t>(id);
+      const std::int32_t remaining = counts[cell].fetch_sub(1, std::memory_order_relaxed);
+      table.Ids[table.Starts[cell + 1] - remaining] = static_cast<std::int32_t>(id);
     });
   return table;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// One colour a sphere, the same in every picture.
+/// One colour per sphere, the same in every picture.
 #ifndef RandomColor_h
 #define RandomColor_h
 

@@ -38,8 +38,8 @@ enum class Outcome
   Aborted
 };
 
-/// When an error is told through vtkErrorMacro: at once, or when a later request, which will meet
-/// the same error, has it told.
+/// When an error is reported through vtkErrorMacro: at once, or by a later request, which will meet
+/// the same error.
 enum class Report
 {
   Now,

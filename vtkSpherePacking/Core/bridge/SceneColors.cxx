@@ -25,8 +25,8 @@ void FillWith(const std::array<double, 3>& color, std::vector<unsigned char>& co
   for (int channel = 0; channel < 3; ++channel)
   {
     // NaN becomes 0.
-    const double share = std::min(std::max(0.0, color[channel]), 1.0);
-    bytes[channel] = static_cast<unsigned char>(255.0 * share + 0.5);
+    const double value = std::min(std::max(0.0, color[channel]), 1.0);
+    bytes[channel] = static_cast<unsigned char>(255.0 * value + 0.5);
   }
   for (std::size_t i = 0; i < colors.size(); i += 4)
   {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// Directions: over a surface, in proportion to the cosine, and in a cone.
+/// Sampling of directions: a cosine-weighted hemisphere, and a cone.
 #ifndef Hemisphere_h
 #define Hemisphere_h
 
@@ -13,7 +13,7 @@ namespace spherepacking
 inline namespace SPHEREPACKING_ISA
 {
 /// Cosine and sine of 2 pi u, for u from 0 to 1, within 1e-11; the same on every processor.
-inline Point2 OnCircle(double u)
+inline Point2 CircleAt(double u)
 {
   // Half of the angle, less half a turn: from -pi/2 to pi/2, where few terms suffice.
   const double x = 3.141592653589793 * (u - 0.5);
@@ -59,21 +59,22 @@ inline void FromBasis(const Double3& n, double a, double b, double c, Double3& r
   result[2] = -a * sign * n[0] - b * n[1] + c * n[2];
 }
 
-/// A unit vector on the side of n, with a density of the cosine over pi.
+/// A direction of the cosine-weighted hemisphere around n: its density is the cosine over pi.
 inline void CosineDirection(const Double3& n, const Point2& u, Double3& direction)
 {
   const double radius = std::sqrt(u.X);
-  const Point2 circle = OnCircle(u.Y);
+  const Point2 circle = CircleAt(u.Y);
   FromBasis(n, radius * circle.X, radius * circle.Y, std::sqrt(1.0 - u.X), direction);
 }
 
-/// A unit vector whose angle with the unit vector n is no more than that of the given cosine, all
-/// equally likely. `outside` is 1 minus the cosine, which keeps the digits of small angles.
-inline void ConeDirection(const Double3& n, double outside, const Point2& u, Double3& direction)
+/// A uniform direction in a cone around n. `oneMinusCosine` is that of the angle between its axis
+/// and its side, and keeps the digits of small angles.
+inline void ConeDirection(
+  const Double3& n, double oneMinusCosine, const Point2& u, Double3& direction)
 {
-  const double less = u.X * outside;
+  const double less = u.X * oneMinusCosine;
   const double radius = std::sqrt(less * (2.0 - less));
-  const Point2 circle = OnCircle(u.Y);
+  const Point2 circle = CircleAt(u.Y);
   FromBasis(n, radius * circle.X, radius * circle.Y, 1.0 - less, direction);
 }
 }

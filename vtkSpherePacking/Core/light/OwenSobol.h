@@ -4,7 +4,7 @@
 /// A digit of a coordinate is flipped or not by all digits before it, so that every point is
 /// uniform by itself and together they stay as even as Sobol's: of the first 2^(a + b) points of a
 /// pair, one lies in each of the 2^a x 2^b equal boxes. Pairs that are not of the same sequence
-/// take the points in another order, itself scrambled, so that pairs do not hang together.
+/// take the points in another order, itself scrambled, so that pairs are uncorrelated.
 ///
 /// Sources: Laine and Karras, "Stratified Sampling for Stochastic Transparency" (2011), for the
 /// scrambling; Burley, "Practical Hash-based Owen Scrambling" (2020), for sequences padded with

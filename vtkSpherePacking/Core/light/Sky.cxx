@@ -11,22 +11,22 @@ namespace
 {
 constexpr double Pi = 3.141592653589793;
 
-// Where in the image a direction is, in pixels from its upper left corner.
-void Place(const double (&d)[3], int width, int height, double& x, double& y)
+// The point of the image for a direction, in pixels from its upper left corner.
+void Project(const double (&d)[3], int width, int height, double& x, double& y)
 {
   x = (0.5 - std::atan2(d[1], d[0]) / (2.0 * Pi)) * width;
   y = std::acos(std::clamp(d[2], -1.0, 1.0)) / Pi * height;
 }
 
-// Rows hold as much of the sphere as of the z axis.
-double Band(int row, int height)
+// Extent of a row along z, to which its solid angle is proportional.
+double RowHeight(int row, int height)
 {
   return std::cos(Pi * row / height) - std::cos(Pi * (row + 1) / height);
 }
 
-// The first element that is above `value`, and where between it and the one before `value` is.
+// Inverts a cumulative distribution: the interval that `value` falls into, and where in it.
 template <typename Iterator>
-int Find(Iterator begin, Iterator end, double value, double& within)
+int InvertCdf(Iterator begin, Iterator end, double value, double& within)
 {
   const Iterator at = std::min(std::upper_bound(begin, end, value), end - 1);
   const double low = at == begin ? 0.0 : static_cast<double>(*(at - 1));
@@ -55,18 +55,18 @@ void Sky::SetImage(std::vector<float> pixels, int width, int height)
   {
     double sum = 0.0;
     float* columns = &this->Columns[static_cast<std::size_t>(row) * width];
-    std::vector<double> cumulated(width);
+    std::vector<double> cumulative(width);
     for (int column = 0; column < width; ++column)
     {
       sum += this->MeanWithin(column, row);
-      cumulated[column] = sum;
+      cumulative[column] = sum;
     }
     for (int column = 0; column < width; ++column)
     {
       columns[column] = static_cast<float>(
-        sum > 0.0 ? cumulated[column] / sum : static_cast<double>(column + 1) / width);
+        sum > 0.0 ? cumulative[column] / sum : static_cast<double>(column + 1) / width);
     }
-    total += sum * Band(row, height);
+    total += sum * RowHeight(row, height);
     this->Rows[row] = total;
   }
   if (!(total > 0.0))
@@ -83,16 +83,16 @@ void Sky::SetImage(std::vector<float> pixels, int width, int height)
 //------------------------------------------------------------------------------
 double Sky::MeanWithin(int column, int row) const
 {
-  // Radiance() goes straight from the middle of one pixel to that of the next: three quarters of
-  // what is within a pixel is its own, along each axis.
+  // Radiance() interpolates between the middles of pixels: the mean within a pixel is three
+  // quarters of its own value and an eighth of each neighbour's, along each axis.
   double mean = 0.0;
   for (int y = -1; y <= 1; ++y)
   {
     for (int x = -1; x <= 1; ++x)
     {
       const float* pixel = this->PixelAt(column + x, row + y);
-      const double share = (x == 0 ? 0.75 : 0.125) * (y == 0 ? 0.75 : 0.125);
-      mean += share * (static_cast<double>(pixel[0]) + pixel[1] + pixel[2]);
+      const double weight = (x == 0 ? 0.75 : 0.125) * (y == 0 ? 0.75 : 0.125);
+      mean += weight * (static_cast<double>(pixel[0]) + pixel[1] + pixel[2]);
     }
   }
   return mean;
@@ -121,7 +121,7 @@ void Sky::Radiance(const double (&d)[3], float (&radiance)[3]) const
   }
   double x;
   double y;
-  Place(d, this->Width, this->Height, x, y);
+  Project(d, this->Width, this->Height, x, y);
   // Between the middles of four pixels.
   const double left = std::floor(x - 0.5);
   const double above = std::floor(y - 0.5);
@@ -132,10 +132,10 @@ void Sky::Radiance(const double (&d)[3], float (&radiance)[3]) const
   {
     const float* pixel =
       this->PixelAt(static_cast<int>(left) + corner % 2, static_cast<int>(above) + corner / 2);
-    const double share = (corner % 2 ? right : 1.0 - right) * (corner / 2 ? below : 1.0 - below);
+    const double weight = (corner % 2 ? right : 1.0 - right) * (corner / 2 ? below : 1.0 - below);
     for (int channel = 0; channel < 3; ++channel)
     {
-      radiance[channel] += static_cast<float>(share) * pixel[channel];
+      radiance[channel] += static_cast<float>(weight) * pixel[channel];
     }
   }
 }
@@ -143,21 +143,21 @@ void Sky::Radiance(const double (&d)[3], float (&radiance)[3]) const
 //------------------------------------------------------------------------------
 double Sky::PixelDensity(int column, int row) const
 {
-  const double rowShare = this->Rows[row] - (row > 0 ? this->Rows[row - 1] : 0.0);
+  const double rowMass = this->Rows[row] - (row > 0 ? this->Rows[row - 1] : 0.0);
   const float* columns = &this->Columns[static_cast<std::size_t>(row) * this->Width];
-  const double share = columns[column] - (column > 0 ? columns[column - 1] : 0.0);
-  return rowShare * share * this->Width / (2.0 * Pi * Band(row, this->Height));
+  const double mass = columns[column] - (column > 0 ? columns[column - 1] : 0.0);
+  return rowMass * mass * this->Width / (2.0 * Pi * RowHeight(row, this->Height));
 }
 
 //------------------------------------------------------------------------------
 double Sky::Sample(double x, double y, double (&d)[3]) const
 {
   double within[2];
-  const int row = Find(this->Rows.begin(), this->Rows.end(), y, within[1]);
+  const int row = InvertCdf(this->Rows.begin(), this->Rows.end(), y, within[1]);
   const auto begin = this->Columns.begin() + static_cast<std::ptrdiff_t>(row) * this->Width;
-  const int column = Find(begin, begin + this->Width, x, within[0]);
+  const int column = InvertCdf(begin, begin + this->Width, x, within[0]);
   const double angle = (0.5 - (column + within[0]) / this->Width) * 2.0 * Pi;
-  const double z = std::cos(Pi * row / this->Height) - within[1] * Band(row, this->Height);
+  const double z = std::cos(Pi * row / this->Height) - within[1] * RowHeight(row, this->Height);
   const double across = std::sqrt(std::max(0.0, 1.0 - z * z));
   d[0] = across * std::cos(angle);
   d[1] = across * std::sin(angle);
@@ -170,7 +170,7 @@ double Sky::Density(const double (&d)[3]) const
 {
   double x;
   double y;
-  Place(d, this->Width, this->Height, x, y);
+  Project(d, this->Width, this->Height, x, y);
   return this->PixelDensity(std::clamp(static_cast<int>(x), 0, this->Width - 1),
     std::clamp(static_cast<int>(y), 0, this->Height - 1));
 }

@@ -22,17 +22,19 @@ public:
 
   bool HasImage() const { return this->Width > 0; }
 
-  /// Whether directions are worth to be drawn by Sample(): there is an image, and not a black one.
+  /// Whether Sample() can be used: there is an image, and not a black one.
   bool CanSample() const { return !this->Rows.empty(); }
 
   /// Along the unit vector d.
   void Radiance(const double (&d)[3], float (&radiance)[3]) const;
 
-  /// Draws a unit vector for two numbers between 0 and 1, with a density about in proportion to
-  /// the image's brightness, which is returned, per solid angle.
+  /// Importance sampling of the image: makes a unit vector of two numbers between 0 and 1, with a
+  /// density about in proportion to its radiance, and returns that density per solid angle.
+  ///
+  /// Source: Pharr and Humphreys, "Infinite Area Light Source with Importance Sampling" (2004).
   double Sample(double x, double y, double (&d)[3]) const;
 
-  /// The density with which Sample() draws d.
+  /// The density per solid angle with which Sample() makes d.
   double Density(const double (&d)[3]) const;
 
 private:
@@ -43,12 +45,12 @@ private:
   std::vector<float> Pixels;
   int Width = 0;
   int Height = 0;
-  // Cumulated shares of the rows, and of the pixels within each row; both end with 1.
+  // Cumulative distributions of the rows, and of the pixels within each row; both end with 1.
   std::vector<double> Rows;
   std::vector<float> Columns;
 };
 
-/// A disc in the sky that shines on spheres and is not seen itself.
+/// A disc in the sky that lights spheres and is not seen itself.
 struct Sun
 {
   double Direction[3] = { 0.0, 0.0, 1.0 };  ///< towards it; a unit vector

@@ -64,11 +64,11 @@ private:
   void UpdateRow(int row)
   {
     const Int4 lane = { 0, 1, 2, 3 };
-    const Float4 none = Float4{} - 3e38f;
-    Float4 depths = none;
+    const Float4 nothing = Float4{} - 3e38f;
+    Float4 depths = nothing;
     for (int column = 0; column < Side; ++column)
     {
-      const Float4 depth = lane <= column ? Float4{} + this->Cells[row * Side + column] : none;
+      const Float4 depth = lane <= column ? Float4{} + this->Cells[row * Side + column] : nothing;
       depths = depth > depths ? depth : depths;
       Store(depths, this->Rows[row][column]);
     }

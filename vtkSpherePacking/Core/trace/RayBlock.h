@@ -53,7 +53,7 @@ struct RayBlock
   {
     this->X0 = x0;
     this->Y0 = y0;
-    const Hit none;
+    const Hit miss;
     for (int i = 0; i < Count; ++i)
     {
       const Ray ray = rays.At(x0 + i % Side, y0 + i / Side);
@@ -64,8 +64,8 @@ struct RayBlock
       this->DY[i] = ray.D[1];
       this->DZ[i] = ray.D[2];
       this->InverseSquare[i] = spherepacking::InverseSquare(ray);
-      this->T[i] = none.T;
-      this->Key[i] = none.Id;
+      this->T[i] = miss.T;
+      this->Key[i] = miss.Id;
     }
   }
 

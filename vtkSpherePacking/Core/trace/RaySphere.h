@@ -5,7 +5,7 @@
 /// The discriminant is r^2 - |l|^2, where l is the perpendicular from the ray to the centre, so
 /// that no large squares cancel. Source: Haines, Guenther, Akenine-Moller, "Precision Improvements
 /// for Ray/Sphere Intersection", Ray Tracing Gems (2019), chapter 7. A ray that only touches
-/// misses, and so does every ray a sphere of radius 0.
+/// misses, and spheres of radius 0 are always missed.
 ///
 /// Error. Let f be the centre as seen from the origin, t0 the middle of the chord, u = 2^-53, and
 /// terms of u^2 be left out. f is rounded once (u|f|), t0 d has a rounding each in the product and
@@ -85,20 +85,20 @@ struct Chord
 template <typename Real>
 inline Real HitSphere(const Real (&f)[3], double r, const Real (&d)[3], const Real& inverseSquare)
 {
-  const Real none = Real{} + NoHit;
+  const Real miss = Real{} + NoHit;
   const Chord<Real> chord(f, d, inverseSquare);
   const Real discriminant = chord.Discriminant(r);
   if (!Any(discriminant > 0.0))
   {
-    return none;
+    return miss;
   }
   // NaN where the discriminant is negative.
   const Real half = Sqrt(discriminant * inverseSquare);
   const Real near = chord.T0 - half;
   const Real far = chord.T0 + half;
   const Real t = near > 0.0 ? near : far;
-  const Real ahead = t > 0.0 ? t : none;
-  return discriminant > 0.0 ? ahead : none;
+  const Real ahead = t > 0.0 ? t : miss;
+  return discriminant > 0.0 ? ahead : miss;
 }
 
 /// The unit normal, out of the sphere, where HitSphere() found a hit; from the perpendicular, so
