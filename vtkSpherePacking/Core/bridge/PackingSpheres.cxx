@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bridge/PackingSpheres.h"
 
-#include "vtkArrayDispatch.h"
 #include "vtkDataArray.h"
 #include "vtkDataArrayRange.h"
 #include "vtkDoubleArray.h"
@@ -13,16 +12,6 @@ namespace spherepacking
 {
 namespace
 {
-struct CopyValues
-{
-  template <typename ArrayT>
-  void operator()(ArrayT* array, std::vector<double>& copy)
-  {
-    const auto values = vtk::DataArrayValueRange(array);
-    copy.assign(values.begin(), values.end());
-  }
-};
-
 // Points one of the pointers at the values, of which `copy` is one if they are of another type.
 void Use(
   vtkDataArray* array, const float*& floats, const double*& doubles, std::vector<double>& copy)
@@ -37,11 +26,8 @@ void Use(
   }
   else
   {
-    CopyValues worker;
-    if (!vtkArrayDispatch::Dispatch::Execute(array, worker, copy))
-    {
-      worker(array, copy);
-    }
+    const auto values = vtk::DataArrayValueRange(array);
+    copy.assign(values.begin(), values.end());
     doubles = copy.data();
   }
 }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bridge/RadiusArray.h"
 
-#include "vtkArrayDispatch.h"
 #include "vtkDataArray.h"
 #include "vtkDataArrayRange.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
 #include "vtkMath.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -21,6 +22,25 @@ namespace spherepacking
 {
 namespace
 {
+// Calls `work` with a vtkFloatArray or a vtkDoubleArray if the array is one, else with it as it is,
+// whose values are then asked for one by one.
+template <typename Work>
+void WithTypedArray(vtkDataArray* array, const Work& work)
+{
+  if (auto* floats = vtkFloatArray::FastDownCast(array))
+  {
+    work(floats);
+  }
+  else if (auto* doubles = vtkDoubleArray::FastDownCast(array))
+  {
+    work(doubles);
+  }
+  else
+  {
+    work(array);
+  }
+}
+
 // The lowest index at which a value is unusable, so that the message does not depend on threads.
 struct FirstBadValue
 {
@@ -54,10 +74,7 @@ struct FirstBadValue
   static vtkIdType Find(vtkDataArray* array, bool allowNegative)
   {
     FirstBadValue worker;
-    if (!vtkArrayDispatch::Dispatch::Execute(array, worker, allowNegative))
-    {
-      worker(array, allowNegative);
-    }
+    WithTypedArray(array, [&](auto* typed) { worker(typed, allowNegative); });
     return worker.Index < array->GetNumberOfValues() ? worker.Index : -1;
   }
 };
@@ -173,12 +190,7 @@ void ComputeBounds(vtkPolyData* packing, vtkDataArray* radii, double bounds[6])
     return;
   }
   SphereBounds worker;
-  vtkDataArray* points = packing->GetPoints()->GetData();
-  using Dispatcher =
-    vtkArrayDispatch::Dispatch2ByValueType<vtkArrayDispatch::Reals, vtkArrayDispatch::AllTypes>;
-  if (!Dispatcher::Execute(points, radii, worker, bounds))
-  {
-    worker(points, radii, bounds);
-  }
+  WithTypedArray(packing->GetPoints()->GetData(), [&](auto* points)
+    { WithTypedArray(radii, [&](auto* typedRadii) { worker(points, typedRadii, bounds); }); });
 }
 }
