@@ -3,13 +3,13 @@
 
 #include "bridge/CoordinateRange.h"
 #include "bridge/FieldData.h"
-#include "bridge/FieldInput.h"
+#include "bridge/PackingCharges.h"
 #include "bridge/GridGeometry.h"
 #include "bridge/Guard.h"
 #include "bridge/InterruptibleFor.h"
 #include "bridge/PackingSpheres.h"
 #include "bridge/SmpParallelFor.h"
-#include "bridge/SurfaceBox.h"
+#include "bridge/EncloseSurface.h"
 
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"

@@ -2,10 +2,10 @@
 #include "bridge/GridGeometry.h"
 
 #include "bridge/CoordinateRange.h"
-#include "bridge/FieldInput.h"
+#include "bridge/PackingCharges.h"
 #include "bridge/Guard.h"
 #include "bridge/MemoryLimit.h"
-#include "bridge/SurfaceBox.h"
+#include "bridge/EncloseSurface.h"
 
 #include <algorithm>
 #include <cmath>

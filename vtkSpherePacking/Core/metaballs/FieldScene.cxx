@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "metaballs/FieldScene.h"
 
-#include "metaballs/Blobs.h"
+#include "metaballs/field/Blobs.h"
 
 #include <algorithm>
 #include <cmath>

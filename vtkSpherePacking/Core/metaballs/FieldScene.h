@@ -3,10 +3,10 @@
 #ifndef FieldScene_h
 #define FieldScene_h
 
-#include "metaballs/FieldGrid.h"
-#include "metaballs/FieldMesh.h"
-#include "metaballs/Moments.h"
-#include "metaballs/TranslationIndex.h"
+#include "metaballs/field/FieldGrid.h"
+#include "metaballs/multilevel/GridHierarchy.h"
+#include "metaballs/multipole/Moments.h"
+#include "metaballs/multipole/TranslationIndex.h"
 
 namespace spherepacking
 {

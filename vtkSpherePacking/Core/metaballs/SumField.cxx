@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/Dispatch.h"
-#include "metaballs/FieldKernel.h"
+#include "metaballs/SumFieldImpl.h"
 
 #if defined(SPHEREPACKING_HAS_AVX2)
 #include "metaballs/SumFieldAvx2.h"

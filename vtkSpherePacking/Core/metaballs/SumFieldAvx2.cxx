@@ -2,9 +2,9 @@
 // Compiled for processors with AVX2 and FMA. Names from here end in a namespace of their own, so
 // that the linker never takes one of these functions for the one that runs everywhere.
 #define SPHEREPACKING_ISA Avx2
-#include "metaballs/FieldKernel.h"
-#include "metaballs/MomentsKernel.h"
-#include "metaballs/SpreadCharges.h"
+#include "metaballs/SumFieldImpl.h"
+#include "metaballs/multipole/NodeMoments.h"
+#include "metaballs/multilevel/Anterpolate.h"
 
 #include "metaballs/SumFieldAvx2.h"
 

@@ -2,7 +2,7 @@
 #ifndef SumFieldAvx2_h
 #define SumFieldAvx2_h
 
-#include "metaballs/FieldMesh.h"
+#include "metaballs/multilevel/GridHierarchy.h"
 #include "metaballs/FieldScene.h"
 
 namespace spherepacking
