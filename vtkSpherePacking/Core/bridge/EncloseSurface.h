@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where a grid has to reach.
 #ifndef EncloseSurface_h
 #define EncloseSurface_h
 
@@ -7,16 +6,19 @@
 
 namespace spherepacking
 {
-class FieldInput;
+class PackingCharges;
 
-// Sets a box on whose sides the field is below `threshold`, as seen at `places` x `places` points
-// of each. Of kernels that end, or nearly so, a box outside which nothing reaches the threshold.
-// False if there is nothing to enclose.
+/// Finds a box around the isosurface at `threshold`, so that the surface is closed inside.
+///
+/// For the inverse kernels the field is below the threshold on the box's faces, as sampled at
+/// `samples` x `samples` points of each. For the others, which vanish or nearly so at a distance,
+/// the box is such that outside of it no sphere adds more than the threshold over their number.
+/// False if there is nothing to enclose.
 bool EncloseSurface(
-  const FieldInput& input, BlobKind kind, double threshold, int places, double (&box)[6]);
+  const PackingCharges& charges, BlobKind kind, double threshold, int samples, double (&box)[6]);
 
-// The origin and the power of two that make a box about 1 long.
-void ScaleOf(const double (&box)[6], double (&origin)[3], double& scale);
+/// The middle of a box and the power of two by which it becomes about 1 long.
+void FindUnitScale(const double (&box)[6], double (&origin)[3], double& scale);
 }
 
 #endif

@@ -2,9 +2,9 @@
 #ifndef DirectSum_h
 #define DirectSum_h
 
-#include "metaballs/field/BlockSum.h"
-#include "metaballs/FieldScene.h"
 #include "base/LocalVector.h"
+#include "metaballs/FieldScene.h"
+#include "metaballs/field/BlockSum.h"
 
 #include <memory>
 
@@ -12,36 +12,38 @@ namespace spherepacking
 {
 inline namespace SPHEREPACKING_ISA
 {
-/// Calls visit(part) for the parts of a block that are small enough to be summed.
+/// Calls visit(part) for parts of a block that are small enough for BlockSum.
 template <typename Visit>
 inline void ForEachPart(const FieldBlock& block, Visit visit)
 {
-  for (int z = 0; z < block.Count[2]; z += MostBlockWidth)
+  for (int z = 0; z < block.Count[2]; z += MaxBlockWidth)
   {
-    for (int y = 0; y < block.Count[1]; y += MostBlockWidth)
+    for (int y = 0; y < block.Count[1]; y += MaxBlockWidth)
     {
-      for (int x = 0; x < block.Count[0]; x += MostBlockWidth)
+      for (int x = 0; x < block.Count[0]; x += MaxBlockWidth)
       {
         visit(FieldBlock{ { block.First[0] + x, block.First[1] + y, block.First[2] + z },
-          { std::min(MostBlockWidth, block.Count[0] - x),
-            std::min(MostBlockWidth, block.Count[1] - y),
-            std::min(MostBlockWidth, block.Count[2] - z) } });
+          { std::min(MaxBlockWidth, block.Count[0] - x),
+            std::min(MaxBlockWidth, block.Count[1] - y),
+            std::min(MaxBlockWidth, block.Count[2] - z) } });
       }
     }
   }
 }
 
-/// Sums charges one by one: all of them, or those whose reach ends at a block or in it.
+/// Direct summation, of all charges or, if an error is allowed, of those whose support reaches the
+/// points.
 template <typename Blob>
-class NearSummer
+class DirectSum
 {
 public:
-  explicit NearSummer(const FieldScene& scene)
+  explicit DirectSum(const FieldScene& scene)
     : Scene(scene)
     , Sum(new BlockSum<Blob>)
   {
   }
 
+  /// Sets the grid's arrays at the points of a block.
   void Run(const FieldBlock& block)
   {
     ForEachPart(block,
@@ -50,7 +52,7 @@ public:
         this->SetZero(part);
         this->Sum->Begin(this->Scene.Grid, part, false);
         const std::vector<Charge>& charges = this->Scene.Tree.Charges;
-        if (this->Scene.Error > 0.0 && !charges.empty())
+        if (this->Scene.RelativeError > 0.0 && !charges.empty())
         {
           this->AddThoseInReach(part);
         }
@@ -63,6 +65,9 @@ public:
   }
 
 private:
+  // All charges that are neglected add up to at most this part of the largest weight.
+  static constexpr double NeglectedWeight = 5e-7;
+
   void SetZero(const FieldBlock& part) const
   {
     const FieldGrid& grid = this->Scene.Grid;
@@ -70,7 +75,7 @@ private:
     {
       for (int y = 0; y < part.Count[1]; ++y)
       {
-        const std::int64_t first = grid.Place(part.First[0], part.First[1] + y, part.First[2] + z);
+        const std::int64_t first = grid.Index(part.First[0], part.First[1] + y, part.First[2] + z);
         std::fill_n(grid.Field + first, part.Count[0], 0.0f);
         if (grid.Gradient)
         {
@@ -82,15 +87,14 @@ private:
 
   void AddThoseInReach(const FieldBlock& part)
   {
-    // All that is left out adds up to no more than this part of the largest weight.
-    const double least = NeglectedWeight * this->Scene.MostWeight /
+    const double least = NeglectedWeight * this->Scene.MaxWeight /
       static_cast<double>(this->Scene.Tree.Charges.size());
     this->Open.assign(1, 0);
     while (!this->Open.empty())
     {
       const ChargeNode& node = this->Scene.Tree.Nodes[this->Open.back()];
       this->Open.pop_back();
-      const double reach = node.Radius + Blob::Reach(node.MostStrength, node.MostRadius, least);
+      const double reach = node.Radius + Blob::Support(node.MaxStrength, node.MaxRadius, least);
       double square = 0.0;
       for (int axis = 0; axis < 3; ++axis)
       {
@@ -117,10 +121,8 @@ private:
     }
   }
 
-  static constexpr double NeglectedWeight = 5e-7;
-
   const FieldScene& Scene;
-  LocalVector<std::int32_t> Open;
+  LocalVector<std::int32_t> Open; // nodes to be tested
   std::unique_ptr<BlockSum<Blob>> Sum;
 };
 }

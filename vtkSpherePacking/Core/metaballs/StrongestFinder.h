@@ -2,6 +2,7 @@
 #ifndef StrongestFinder_h
 #define StrongestFinder_h
 
+#include "base/LocalVector.h"
 #include "metaballs/DirectSum.h"
 
 #include <limits>
@@ -10,29 +11,41 @@ namespace spherepacking
 {
 inline namespace SPHEREPACKING_ISA
 {
-/// Finds the charge that adds most at each place, by branch and bound over the tree.
+/// Finds the charge that adds most at each point of a grid, by branch and bound.
+///
+/// In a box of points each charge has a least and a greatest rank (see Blobs.h). The largest of the
+/// least ranks is a lower bound for the winner at every point of the box; charges whose greatest
+/// rank is below it, and nodes of the tree for which that can be shown of all their charges, cannot
+/// win. What remains are the candidates; halving the box raises the bound, until there are few.
 template <typename Blob>
 class StrongestFinder
 {
 public:
-  explicit StrongestFinder(const FieldScene& scene)
-    : Scene(scene)
+  /// Both have to outlive this; the tree is not empty.
+  StrongestFinder(const FieldGrid& grid, const ChargeTree& tree)
+    : Grid(grid)
+    , Tree(tree)
   {
   }
 
+  /// Sets the ids at the points of a block.
   void Run(const FieldBlock& block)
   {
     ForEachPart(block, [this](const FieldBlock& part) { this->RunPart(part); });
   }
 
 private:
-  using Charges = LocalVector<const Charge*>;
+  using ChargeList = LocalVector<const Charge*>;
+
+  static constexpr std::size_t MaxCandidates = 2000;
+  static constexpr std::size_t FewCandidates = 4; // which are compared point by point
+  static constexpr int MaxDepth = 9;              // of a part of 8 x 8 x 8 points
 
   void RunPart(const FieldBlock& part)
   {
-    this->SetSides(part);
-    this->Bound();
-    if (!this->Collect(part.Places() > 1))
+    this->SetBox(part);
+    this->FindLowerBound();
+    if (!this->CollectCandidates(part.Points() > 1))
     {
       FieldBlock halves[2];
       CutInHalves(part, halves);
@@ -53,38 +66,36 @@ private:
     halves[1].Count[axis] -= halves[0].Count[axis];
   }
 
-  void SetSides(const FieldBlock& part)
+  void SetBox(const FieldBlock& part)
   {
     for (int axis = 0; axis < 3; ++axis)
     {
-      this->Low[axis] = this->Scene.Grid.At(axis, part.First[axis]);
-      this->High[axis] = this->Scene.Grid.At(axis, part.First[axis] + part.Count[axis] - 1);
+      this->Low[axis] = this->Grid.At(axis, part.First[axis]);
+      this->High[axis] = this->Grid.At(axis, part.First[axis] + part.Count[axis] - 1);
     }
   }
 
-  // Looks at the charges that are left, or first leaves out those that are surpassed everywhere in
-  // either half.
+  // Compares the candidates at each point if they or the points are few, else prunes them for
+  // either half of the part.
   void Search(const FieldBlock& part, int depth)
   {
-    constexpr std::size_t few = 4;
-    if (part.Places() == 1 || this->Some[depth].size() <= few)
+    if (part.Points() == 1 || this->Candidates[depth].size() <= FewCandidates)
     {
-      this->Write(part, this->Some[depth]);
+      this->Write(part, this->Candidates[depth]);
       return;
     }
     FieldBlock halves[2];
     CutInHalves(part, halves);
     for (const FieldBlock& half : halves)
     {
-      this->SetSides(half);
-      this->LeaveOutSurpassed(this->Some[depth], this->Some[depth + 1]);
+      this->SetBox(half);
+      this->Prune(this->Candidates[depth], this->Candidates[depth + 1]);
       this->Search(half, depth + 1);
     }
   }
 
-  void Write(const FieldBlock& part, const Charges& charges)
+  void Write(const FieldBlock& part, const ChargeList& candidates)
   {
-    const FieldGrid& grid = this->Scene.Grid;
     for (int z = 0; z < part.Count[2]; ++z)
     {
       for (int y = 0; y < part.Count[1]; ++y)
@@ -92,13 +103,14 @@ private:
         for (int x = 0; x < part.Count[0]; ++x)
         {
           const std::int64_t at[3] = { part.First[0] + x, part.First[1] + y, part.First[2] + z };
-          grid.Strongest[grid.Place(at[0], at[1], at[2])] = this->At(charges, at);
+          this->Grid.Strongest[this->Grid.Index(at[0], at[1], at[2])] =
+            this->StrongestAt(candidates, at);
         }
       }
     }
   }
 
-  // Squares of the distances from a point to the nearest and the farthest point of the part.
+  // Squared distances from a point to the nearest and to the farthest point of the box.
   void Distances(const double (&point)[3], double& nearest, double& farthest) const
   {
     nearest = farthest = 0.0;
@@ -113,99 +125,105 @@ private:
     }
   }
 
-  double MostOf(const ChargeNode& node) const
+  // No charge of the node has a greater rank in the box.
+  double UpperBoundOf(const ChargeNode& node) const
   {
     double nearest;
     double farthest;
     this->Distances(node.Center, nearest, farthest);
     const double distance = std::max(0.0, std::sqrt(nearest) - node.Radius);
-    return Blob::MostRank(0.999999 * distance, node.MostStrength, node.MostRadius);
+    return Blob::MaxRank(0.999999 * distance, node.MaxStrength, node.MaxRadius);
   }
 
-  // Ranks of what a charge adds in the part, at least and at most.
-  void Range(const Charge& charge, double& least, double& most) const
+  // The least and the greatest rank of a charge in the box.
+  void RankRange(const Charge& charge, double& low, double& high) const
   {
     double nearest;
     double farthest;
-    this->Distances(charge.X, nearest, farthest);
+    this->Distances(charge.Position, nearest, farthest);
     const auto strength = static_cast<double>(charge.Strength);
-    least = Blob::Rank(farthest, strength, Blob::Shape(charge.Radius));
-    most = Blob::Rank(nearest, strength, Blob::Shape(charge.Radius));
+    low = Blob::Rank(farthest, strength, Blob::Shape(charge.Radius));
+    high = Blob::Rank(nearest, strength, Blob::Shape(charge.Radius));
   }
 
-  void LeaveOutSurpassed(const Charges& from, Charges& to)
+  bool MayWin(double upperBound) const
   {
-    this->Mosts.clear();
-    this->Least = Blob::LeastRank;
+    return upperBound > Blob::ZeroRank && upperBound >= this->LowerBound;
+  }
+
+  // Allows for rounding.
+  void RelaxLowerBound()
+  {
+    this->LowerBound = std::max(Blob::Relaxed(this->LowerBound), Blob::ZeroRank);
+  }
+
+  void Prune(const ChargeList& from, ChargeList& to)
+  {
+    this->UpperBounds.clear();
+    this->LowerBound = Blob::ZeroRank;
     for (const Charge* charge : from)
     {
-      double least;
-      double most;
-      this->Range(*charge, least, most);
-      this->Least = std::max(this->Least, least);
-      this->Mosts.push_back(most);
+      double low;
+      double high;
+      this->RankRange(*charge, low, high);
+      this->LowerBound = std::max(this->LowerBound, low);
+      this->UpperBounds.push_back(high);
     }
-    this->LowerLeast();
+    this->RelaxLowerBound();
     to.clear();
     for (std::size_t i = 0; i < from.size(); ++i)
     {
-      if (this->MayWin(this->Mosts[i]))
+      if (this->MayWin(this->UpperBounds[i]))
       {
         to.push_back(from[i]);
       }
     }
   }
 
-  bool MayWin(double rank) const { return rank > Blob::LeastRank && rank >= this->Least; }
-
-  void LowerLeast() { this->Least = std::max(Blob::Below(this->Least), Blob::LeastRank); }
-
-  // Sets `Least`.
-  void Bound()
+  void FindLowerBound()
   {
-    this->Least = Blob::LeastRank;
+    this->LowerBound = Blob::ZeroRank;
     this->Open.assign(1, 0);
     while (!this->Open.empty())
     {
-      const ChargeNode& node = this->Scene.Tree.Nodes[this->Open.back()];
+      const ChargeNode& node = this->Tree.Nodes[this->Open.back()];
       this->Open.pop_back();
-      if (!this->MayWin(this->MostOf(node)))
+      if (!this->MayWin(this->UpperBoundOf(node)))
       {
         continue;
       }
       if (node.Child >= 0)
       {
-        // The stronger first, which raises the bound.
+        // The child with the greater upper bound goes first, as it is likely to raise the bound.
         const std::int32_t child = node.Child;
-        const bool second = this->MostOf(this->Scene.Tree.Nodes[child + 1]) >
-          this->MostOf(this->Scene.Tree.Nodes[child]);
+        const bool second = this->UpperBoundOf(this->Tree.Nodes[child + 1]) >
+          this->UpperBoundOf(this->Tree.Nodes[child]);
         this->Open.push_back(child + !second);
         this->Open.push_back(child + second);
         continue;
       }
       for (std::int32_t i = node.First; i < node.First + node.Count; ++i)
       {
-        const Charge& charge = this->Scene.Tree.Charges[i];
-        double least;
-        double most;
-        this->Range(charge, least, most);
-        this->Least = std::max(this->Least, least);
+        double low;
+        double high;
+        this->RankRange(this->Tree.Charges[i], low, high);
+        this->LowerBound = std::max(this->LowerBound, low);
       }
     }
-    this->LowerLeast();
+    this->RelaxLowerBound();
   }
 
-  // Puts those that may be the strongest somewhere into the first of `Some`; false if that ended
-  // because there are too many.
-  bool Collect(bool mayEnd)
+  // Sets the candidates of depth 0; false if it gave up because there are too many.
+  bool CollectCandidates(bool mayGiveUp)
   {
-    this->Some[0].clear();
+    ChargeList& candidates = this->Candidates[0];
+    candidates.clear();
     this->Open.assign(1, 0);
     while (!this->Open.empty())
     {
-      const ChargeNode& node = this->Scene.Tree.Nodes[this->Open.back()];
+      const ChargeNode& node = this->Tree.Nodes[this->Open.back()];
       this->Open.pop_back();
-      if (!this->MayWin(this->MostOf(node)))
+      if (!this->MayWin(this->UpperBoundOf(node)))
       {
         continue;
       }
@@ -217,74 +235,81 @@ private:
       }
       for (std::int32_t i = node.First; i < node.First + node.Count; ++i)
       {
-        const Charge& charge = this->Scene.Tree.Charges[i];
-        double least;
-        double greatest;
-        this->Range(charge, least, greatest);
-        if (this->MayWin(greatest))
+        const Charge& charge = this->Tree.Charges[i];
+        double low;
+        double high;
+        this->RankRange(charge, low, high);
+        if (this->MayWin(high))
         {
-          this->Some[0].push_back(&charge);
+          candidates.push_back(&charge);
         }
       }
-      if (mayEnd && this->Some[0].size() > Many)
+      if (mayGiveUp && candidates.size() > MaxCandidates)
       {
-        this->LeaveOutCovered();
-        if (this->Some[0].size() > Many / 2)
+        this->PruneCoincident();
+        if (candidates.size() > MaxCandidates / 2)
         {
           return false;
         }
       }
     }
-    this->LeaveOutCovered();
+    this->PruneCoincident();
     return true;
   }
 
-  // Of charges at one place, those that another one surpasses everywhere.
-  void LeaveOutCovered()
+  // The order in which PruneCoincident() goes through coincident charges: a charge can only win
+  // against those before it if its radius is larger.
+  static bool IsBefore(const Charge& one, const Charge& other)
   {
-    const auto before = [](const Charge* one, const Charge* other)
+    for (int axis = 0; axis < 3; ++axis)
     {
-      for (int axis = 0; axis < 3; ++axis)
+      if (one.Position[axis] != other.Position[axis])
       {
-        if (one->X[axis] != other->X[axis])
-        {
-          return one->X[axis] < other->X[axis];
-        }
+        return one.Position[axis] < other.Position[axis];
       }
-      if (one->Strength != other->Strength)
-      {
-        return one->Strength > other->Strength;
-      }
-      return one->Radius != other->Radius ? one->Radius > other->Radius : one->Id < other->Id;
-    };
-    Charges& some = this->Some[0];
-    std::sort(some.begin(), some.end(), before);
-    std::size_t kept = 0;
+    }
+    if (one.Strength != other.Strength)
+    {
+      return one.Strength > other.Strength;
+    }
+    return one.Radius != other.Radius ? one.Radius > other.Radius : one.Id < other.Id;
+  }
+
+  // Removes candidates that another one at the same position surpasses, or equals, everywhere: no
+  // box, however small, separates these.
+  void PruneCoincident()
+  {
+    ChargeList& candidates = this->Candidates[0];
+    std::sort(candidates.begin(), candidates.end(),
+      [](const Charge* one, const Charge* other) { return IsBefore(*one, *other); });
+    std::size_t count = 0;
     float radius = 0.0f;
-    for (std::size_t i = 0; i < some.size(); ++i)
+    for (std::size_t i = 0; i < candidates.size(); ++i)
     {
-      const Charge* charge = some[i];
-      const bool first = i == 0 || !std::equal(charge->X, charge->X + 3, some[i - 1]->X);
+      const Charge* charge = candidates[i];
+      const bool first =
+        i == 0 || !std::equal(charge->Position, charge->Position + 3, candidates[i - 1]->Position);
       if (first || charge->Radius > radius)
       {
         radius = charge->Radius;
-        some[kept++] = charge;
+        candidates[count++] = charge;
       }
     }
-    some.resize(kept);
+    candidates.resize(count);
   }
 
-  std::int64_t At(const Charges& charges, const std::int64_t (&place)[3]) const
+  // The id of the charge that adds most at a point; of equals the lowest.
+  std::int64_t StrongestAt(const ChargeList& candidates, const std::int64_t (&point)[3]) const
   {
     double best = 0.0;
     std::int64_t id = -1;
-    for (const Charge* charge : charges)
+    for (const Charge* charge : candidates)
     {
       double square = 0.0;
       for (int axis = 0; axis < 3; ++axis)
       {
-        const double away = this->Scene.Grid.At(axis, place[axis]) - charge->X[axis];
-        square += away * away;
+        const double distance = this->Grid.At(axis, point[axis]) - charge->Position[axis];
+        square += distance * distance;
       }
       const double value =
         Blob::Value(square, static_cast<double>(charge->Strength), Blob::Shape(charge->Radius));
@@ -297,16 +322,14 @@ private:
     return id;
   }
 
-  static constexpr std::size_t Many = 2000;
-  static constexpr int MostDepth = 9; // of a part of 8 x 8 x 8 places
-
-  const FieldScene& Scene;
-  double Low[3];
+  const FieldGrid& Grid;
+  const ChargeTree& Tree;
+  double Low[3]; // of the box
   double High[3];
-  double Least = 0.0; ///< rank of what some charge adds at every place of the part
-  LocalVector<std::int32_t> Open;
-  LocalVector<double> Mosts;
-  Charges Some[MostDepth + 1]; ///< that may be the strongest somewhere in the part, by its depth
+  double LowerBound = 0.0;
+  LocalVector<std::int32_t> Open; // nodes to be tested
+  LocalVector<double> UpperBounds;
+  ChargeList Candidates[MaxDepth + 1]; // by how often the part has been halved
 };
 }
 }

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// Which sum is made for which kernel.
+/// Chooses the method and the kernel of a sum.
 #ifndef SumFieldImpl_h
 #define SumFieldImpl_h
 
-#include "metaballs/multipole/MultipoleSum.h"
-#include "metaballs/multilevel/MultilevelSum.h"
+#include "metaballs/DirectSum.h"
 #include "metaballs/StrongestFinder.h"
+#include "metaballs/multilevel/MultilevelSum.h"
+#include "metaballs/multipole/MultipoleSum.h"
 
 namespace spherepacking
 {
@@ -14,21 +15,21 @@ inline namespace SPHEREPACKING_ISA
 template <int Power>
 inline void SumInverse(const FieldScene& scene, const FieldBlock& block)
 {
-  if (scene.Mesh)
+  if (scene.Hierarchy)
   {
-    MeshSummer<Power>(scene).Run(block);
+    MultilevelSum<Power>(scene.Grid, *scene.Hierarchy).Run(block);
   }
-  else if (scene.Error > 0.0 && !scene.Tree.Nodes.empty())
+  else if (scene.Expansions)
   {
-    FieldSummer<Power>(scene).Run(block);
+    MultipoleSum<Power>(scene.Grid, scene.Tree, *scene.Expansions).Run(block);
   }
   else
   {
-    NearSummer<InverseBlob<Power>>(scene).Run(block);
+    DirectSum<InverseBlob<Power>>(scene).Run(block);
   }
 }
 
-inline void SumFieldKernel(const FieldScene& scene, const FieldBlock& block)
+inline void SumFieldImpl(const FieldScene& scene, const FieldBlock& block)
 {
   switch (scene.Kind)
   {
@@ -37,13 +38,13 @@ inline void SumFieldKernel(const FieldScene& scene, const FieldBlock& block)
     case BlobKind::InverseSquare:
       return SumInverse<2>(scene, block);
     case BlobKind::Gaussian:
-      return NearSummer<GaussianBlob>(scene).Run(block);
+      return DirectSum<GaussianBlob>(scene).Run(block);
     case BlobKind::Wyvill:
-      return NearSummer<WyvillBlob>(scene).Run(block);
+      return DirectSum<WyvillBlob>(scene).Run(block);
   }
 }
 
-inline void FindStrongestKernel(const FieldScene& scene, const FieldBlock& block)
+inline void FindStrongestImpl(const FieldScene& scene, const FieldBlock& block)
 {
   if (scene.Tree.Nodes.empty())
   {
@@ -52,13 +53,13 @@ inline void FindStrongestKernel(const FieldScene& scene, const FieldBlock& block
   switch (scene.Kind)
   {
     case BlobKind::Inverse:
-      return StrongestFinder<InverseBlob<1>>(scene).Run(block);
+      return StrongestFinder<InverseBlob<1>>(scene.Grid, scene.Tree).Run(block);
     case BlobKind::InverseSquare:
-      return StrongestFinder<InverseBlob<2>>(scene).Run(block);
+      return StrongestFinder<InverseBlob<2>>(scene.Grid, scene.Tree).Run(block);
     case BlobKind::Gaussian:
-      return StrongestFinder<GaussianBlob>(scene).Run(block);
+      return StrongestFinder<GaussianBlob>(scene.Grid, scene.Tree).Run(block);
     case BlobKind::Wyvill:
-      return StrongestFinder<WyvillBlob>(scene).Run(block);
+      return StrongestFinder<WyvillBlob>(scene.Grid, scene.Tree).Run(block);
   }
 }
 }

@@ -1,37 +1,42 @@
 // SPDX-License-Identifier: BSD-3-Clause
+/// Direct summation over a small block of the grid; in the fast multipole method the P2P step,
+/// particles to points.
 #ifndef BlockSum_h
 #define BlockSum_h
 
 #include "metaballs/field/Blobs.h"
-#include "metaballs/multipole/ChargeTree.h"
+#include "metaballs/field/Charge.h"
 #include "metaballs/field/FieldGrid.h"
 
 #include <cmath>
 
 namespace spherepacking
 {
-/// Size of the blocks whose charges are summed one by one: places along x, and rows of those.
-constexpr int MostBlockWidth = 8;
-constexpr int MostBlockRows = 64;
+/// Largest block that is summed at once: points along x, and rows of those.
+constexpr int MaxBlockWidth = 8;
+constexpr int MaxBlockRows = 64;
 
 SPHEREPACKING_INLINE bool FitsBlockSum(const FieldBlock& block)
 {
-  return block.Count[0] <= MostBlockWidth && block.Count[1] * block.Count[2] <= MostBlockRows;
+  return block.Count[0] <= MaxBlockWidth && block.Count[1] * block.Count[2] <= MaxBlockRows;
 }
 
 inline namespace SPHEREPACKING_ISA
 {
-/// Sums charges one by one at the places of a block.
+/// Sums what each charge adds at each point of a block: Begin(), any number of Add(), End().
 ///
-/// Coordinates are taken from the middle of the block in double precision before they become
-/// floats, so a distance along an axis is wrong by no more than 2^-24 of the block's size, wherever
-/// the block lies. Charges within 1/40 of that size from a place are summed in double precision;
-/// the others' distances are right to 40 sqrt(3) 2^-24 = 4.1e-6, and their squares to 8.3e-6.
+/// Most of it in single precision. Coordinates are taken relative to the middle of the block before
+/// they are rounded to floats, so a distance along an axis is wrong by at most 2^-24 of the block's
+/// size s, wherever the block lies, and a distance by sqrt(3) times that. Charges nearer than s /
+/// 40 to a point are summed in double precision; for all others the relative error is therefore at
+/// most 40 sqrt(3) 2^-24 = 4.1e-6 for the distance and 8.3e-6 for its square. Sums in single
+/// precision are of 64 charges, which adds 64 2^-24 = 4e-6 at most to the field; those are summed
+/// in double precision.
 template <typename Blob>
 class BlockSum
 {
 public:
-  /// `estimate` allows values, but no gradients, to be wrong by EstimateError.
+  /// `estimate` allows a relative error of EstimateError for values, not for gradients.
   void Begin(const FieldGrid& grid, const FieldBlock& block, bool estimate)
   {
     this->Grid = &grid;
@@ -48,11 +53,11 @@ public:
       this->Middle[axis] = 0.5 * (this->Low[axis] + this->High[axis]);
       size = std::max(size, this->High[axis] - this->Low[axis]);
     }
-    this->Exact = size / 40.0;
-    for (int x = 0; x < MostBlockWidth; ++x)
+    this->NearDistance = size / 40.0;
+    for (int x = 0; x < MaxBlockWidth; ++x)
     {
       const int inside = std::min(x, block.Count[0] - 1);
-      this->PlaceX[x] = static_cast<float>(grid.At(0, block.First[0] + inside) - this->Middle[0]);
+      this->PointX[x] = static_cast<float>(grid.At(0, block.First[0] + inside) - this->Middle[0]);
     }
     this->Rows = block.Count[1] * block.Count[2];
     for (int row = 0; row < this->Rows; ++row)
@@ -63,40 +68,40 @@ public:
       this->RowZ[row] = static_cast<float>(grid.At(2, block.First[2] + z) - this->Middle[2]);
       for (int sum = 0; sum < (this->Gradient ? 4 : 1); ++sum)
       {
-        std::fill_n(this->Sums[sum][row], MostBlockWidth, 0.0);
+        std::fill_n(this->Sums[sum][row], MaxBlockWidth, 0.0);
       }
     }
-    std::fill(this->RowY + this->Rows, this->RowY + MostBlockRows, 0.0f);
-    std::fill(this->RowZ + this->Rows, this->RowZ + MostBlockRows, 0.0f);
+    std::fill(this->RowY + this->Rows, this->RowY + MaxBlockRows, 0.0f);
+    std::fill(this->RowZ + this->Rows, this->RowZ + MaxBlockRows, 0.0f);
   }
 
-  /// Charges that may lie anywhere.
+  /// Charges anywhere.
   void Add(const Charge* charges, std::int32_t count)
   {
     for (std::int32_t i = 0; i < count; ++i)
     {
       if (this->IsNear(charges[i]))
       {
-        this->AddExactly(charges[i]);
+        this->AddInDouble(charges[i]);
       }
       else
       {
-        this->Keep(charges[i]);
+        this->AddInSingle(charges[i]);
       }
     }
   }
 
-  /// Charges in a ball.
+  /// Charges in a ball. If it is far from the block as a whole, no charge is tested by itself.
   void Add(const Charge* charges, std::int32_t count, const double (&center)[3], double radius)
   {
     for (int axis = 0; axis < 3; ++axis)
     {
-      if (center[axis] + radius < this->Low[axis] - this->Exact ||
-        center[axis] - radius > this->High[axis] + this->Exact)
+      if (center[axis] + radius < this->Low[axis] - this->NearDistance ||
+        center[axis] - radius > this->High[axis] + this->NearDistance)
       {
         for (std::int32_t i = 0; i < count; ++i)
         {
-          this->Keep(charges[i]);
+          this->AddInSingle(charges[i]);
         }
         return;
       }
@@ -107,12 +112,12 @@ public:
   /// Adds the sums to the grid's arrays.
   void End()
   {
-    this->Flush();
+    this->SumBatch();
     const FieldGrid& grid = *this->Grid;
     for (int row = 0; row < this->Rows; ++row)
     {
       const std::int64_t first =
-        grid.Place(this->Block.First[0], this->Block.First[1] + row % this->Block.Count[1],
+        grid.Index(this->Block.First[0], this->Block.First[1] + row % this->Block.Count[1],
           this->Block.First[2] + row / this->Block.Count[1]);
       for (int x = 0; x < this->Block.Count[0]; ++x)
       {
@@ -126,29 +131,30 @@ public:
   }
 
 private:
-  static constexpr int MostCharges = 64; // 64 roundings of a sum are 4e-6 at most
-  static constexpr int Width = 8;        // rows that are summed at once
+  static constexpr int BatchSize = 64; // charges whose sum is in single precision, see above
+  static constexpr int RowsAtOnce = 8;
 
-  void Keep(const Charge& charge)
+  // Puts a charge into the batch, which is summed when it is full.
+  void AddInSingle(const Charge& charge)
   {
-    this->X[this->Count] = static_cast<float>(charge.X[0] - this->Middle[0]);
-    this->Y[this->Count] = static_cast<float>(charge.X[1] - this->Middle[1]);
-    this->Z[this->Count] = static_cast<float>(charge.X[2] - this->Middle[2]);
+    this->X[this->Count] = static_cast<float>(charge.Position[0] - this->Middle[0]);
+    this->Y[this->Count] = static_cast<float>(charge.Position[1] - this->Middle[1]);
+    this->Z[this->Count] = static_cast<float>(charge.Position[2] - this->Middle[2]);
     this->Strength[this->Count] = charge.Strength;
     this->Shape[this->Count] = static_cast<float>(Blob::Shape(charge.Radius));
-    if (++this->Count == MostCharges)
+    if (++this->Count == BatchSize)
     {
-      this->Flush();
+      this->SumBatch();
     }
   }
 
-  void Flush()
+  void SumBatch()
   {
-    for (int row = 0; row < this->Rows; row += Width)
+    for (int row = 0; row < this->Rows; row += RowsAtOnce)
     {
       if (this->Gradient)
       {
-        for (int i = row; i < std::min(row + Width, this->Rows); ++i)
+        for (int i = row; i < std::min(row + RowsAtOnce, this->Rows); ++i)
         {
           this->SumGradients(i);
         }
@@ -181,34 +187,34 @@ private:
   template <bool Estimated>
   void SumValues(int row)
   {
-    // Squares of the distances along y and z, of all charges first: a number is loaded from memory
-    // into all lanes faster than it is shuffled there.
+    // Squared distances along y and z of all charges first: broadcasting a number from memory to
+    // all lanes is faster than shuffling it there from a register.
     const Float8 y = Load<Float8>(this->RowY + row);
     const Float8 z = Load<Float8>(this->RowZ + row);
-    float aside[MostCharges][Width];
+    float squareYZ[BatchSize][RowsAtOnce];
     for (int from = 0; from < this->Count; ++from)
     {
       const Float8 dy = y - this->Y[from];
       const Float8 dz = z - this->Z[from];
-      Store(dy * dy + dz * dz, aside[from]);
+      Store(dy * dy + dz * dz, squareYZ[from]);
     }
-    const Float8 x = Load<Float8>(this->PlaceX);
-    Float8 sums[Width] = {};
+    const Float8 x = Load<Float8>(this->PointX);
+    Float8 sums[RowsAtOnce] = {};
     for (int from = 0; from < this->Count; ++from)
     {
       const Float8 strength = Float8{} + this->Strength[from];
       const Float8 shape = Float8{} + this->Shape[from];
       const Float8 dx = x - this->X[from];
-      const Float8 along = dx * dx;
+      const Float8 squareX = dx * dx;
 #pragma GCC unroll 8
-      for (int i = 0; i < Width; ++i)
+      for (int i = 0; i < RowsAtOnce; ++i)
       {
-        sums[i] += ValueOf<Estimated>(along + aside[from][i], strength, shape);
+        sums[i] += ValueOf<Estimated>(squareX + squareYZ[from][i], strength, shape);
       }
     }
-    for (int i = 0; i < Width; ++i)
+    for (int i = 0; i < RowsAtOnce; ++i)
     {
-      for (int lane = 0; lane < MostBlockWidth; ++lane)
+      for (int lane = 0; lane < MaxBlockWidth; ++lane)
       {
         this->Sums[0][row + i][lane] += sums[i][lane];
       }
@@ -217,7 +223,7 @@ private:
 
   void SumGradients(int row)
   {
-    const Float8 x = Load<Float8>(this->PlaceX);
+    const Float8 x = Load<Float8>(this->PointX);
     Float8 sums[4] = {};
     for (int from = 0; from < this->Count; ++from)
     {
@@ -235,23 +241,23 @@ private:
     }
     for (int sum = 0; sum < 4; ++sum)
     {
-      for (int lane = 0; lane < MostBlockWidth; ++lane)
+      for (int lane = 0; lane < MaxBlockWidth; ++lane)
       {
         this->Sums[sum][row][lane] += sums[sum][lane];
       }
     }
   }
 
-  // Whether a charge is so near to one of the places that single precision would not do.
+  // Whether a charge is too near to a point of the block for single precision.
   bool IsNear(const Charge& charge) const
   {
     for (int axis = 0; axis < 3; ++axis)
     {
       const double spacing = this->Grid->Spacing[axis];
-      const double at = (charge.X[axis] - this->Low[axis]) / spacing;
+      const double at = (charge.Position[axis] - this->Low[axis]) / spacing;
       const double nearest =
         std::min(std::max(std::nearbyint(at), 0.0), this->Block.Count[axis] - 1.0);
-      if (!(std::abs(at - nearest) * spacing < this->Exact))
+      if (!(std::abs(at - nearest) * spacing < this->NearDistance))
       {
         return false;
       }
@@ -259,19 +265,19 @@ private:
     return true;
   }
 
-  void AddExactly(const Charge& charge)
+  void AddInDouble(const Charge& charge)
   {
     const double strength = charge.Strength;
     const double shape = Blob::Shape(charge.Radius);
     for (int row = 0; row < this->Rows; ++row)
     {
       const double dy =
-        this->Grid->At(1, this->Block.First[1] + row % this->Block.Count[1]) - charge.X[1];
+        this->Grid->At(1, this->Block.First[1] + row % this->Block.Count[1]) - charge.Position[1];
       const double dz =
-        this->Grid->At(2, this->Block.First[2] + row / this->Block.Count[1]) - charge.X[2];
+        this->Grid->At(2, this->Block.First[2] + row / this->Block.Count[1]) - charge.Position[2];
       for (int x = 0; x < this->Block.Count[0]; ++x)
       {
-        const double dx = this->Grid->At(0, this->Block.First[0] + x) - charge.X[0];
+        const double dx = this->Grid->At(0, this->Block.First[0] + x) - charge.Position[0];
         const double square = dx * dx + dy * dy + dz * dz;
         this->Sums[0][row][x] += Blob::Value(square, strength, shape);
         if (this->Gradient)
@@ -292,19 +298,20 @@ private:
   double Low[3];
   double High[3];
   double Middle[3];
-  double Exact = 0.0; // how near a charge may be to a place that is summed in single precision
+  double NearDistance = 0.0; // along all axes: below it charges are summed in double precision
   int Rows = 0;
-  int Count = 0;
-  float PlaceX[MostBlockWidth];
-  float RowY[MostBlockRows];
-  float RowZ[MostBlockRows];
-  float X[MostCharges];
-  float Y[MostCharges];
-  float Z[MostCharges];
-  float Strength[MostCharges];
-  float Shape[MostCharges];
-  // Of values and gradients; a sum of many in single precision would lose digits.
-  double Sums[4][MostBlockRows][MostBlockWidth];
+  int Count = 0; // of the batch
+  // All relative to the middle of the block.
+  float PointX[MaxBlockWidth];
+  float RowY[MaxBlockRows];
+  float RowZ[MaxBlockRows];
+  float X[BatchSize]; // of the batch, as what follows
+  float Y[BatchSize];
+  float Z[BatchSize];
+  float Strength[BatchSize];
+  float Shape[BatchSize];
+  // Of values and gradients.
+  double Sums[4][MaxBlockRows][MaxBlockWidth];
 };
 }
 }

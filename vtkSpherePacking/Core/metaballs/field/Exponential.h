@@ -11,10 +11,10 @@ namespace spherepacking
 {
 inline namespace SPHEREPACKING_ISA
 {
-/// e^x to 3e-7 for x from -87 to 80, 0 below. x is not above 80.
+/// e^x with a relative error of at most 3e-7 for x from -87 to 80, 0 below. x must not be above 80.
 ///
-/// A whole number of ln 2, taken off in two parts of which the first has few digits, and the Taylor
-/// series of the rest.
+/// Range reduction x = n ln 2 + r, where n ln 2 is subtracted in two parts, of which the first has
+/// so few digits that its product with n is exact; then 2^n times the Taylor polynomial of e^r.
 /// Source: Cody and Waite, "Software Manual for the Elementary Functions" (1980).
 inline Float8 Exponential(const Float8& x)
 {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+/// Anterpolation: point charges become charges at grid points.
 #ifndef Anterpolate_h
 #define Anterpolate_h
 
@@ -12,35 +13,36 @@ namespace spherepacking
 {
 inline namespace SPHEREPACKING_ISA
 {
-/// Largest number of nodes along an axis that a charge is spread to.
-constexpr int MostWindow = 16;
+/// Most points along an axis that a charge is anterpolated to.
+constexpr int MaxWindow = 16;
 
-/// Spreads charges to the nodes of mesh 0 as Gaussians.
-class ChargeSpreader
+/// Adds charges to points of level 0 as Gaussians.
+class Anterpolator
 {
 public:
-  explicit ChargeSpreader(const FieldMesh& mesh)
-    : Mesh(mesh)
+  explicit Anterpolator(const GridHierarchy& hierarchy)
+    : Hierarchy(hierarchy)
   {
   }
 
-  /// Adds to an array that has all of these nodes.
-  void Add(const Charge& charge, const MeshRows& to) const
+  /// `to` has all points of the charge's window.
+  void Add(const Charge& charge, const GridRows& to) const
   {
+    const int (&window)[3] = this->Hierarchy.Window;
     int first[3];
-    float weights[3][MostWindow];
+    float weights[3][MaxWindow];
     for (int axis = 0; axis < 3; ++axis)
     {
-      first[axis] = this->WeightsAlong(axis, charge.X[axis], weights[axis]);
+      first[axis] = this->WeightsAlong(axis, charge.Position[axis], weights[axis]);
     }
-    for (int z = 0; z < this->Mesh.Window[2]; ++z)
+    for (int z = 0; z < window[2]; ++z)
     {
       const float plane = charge.Strength * weights[2][z];
       float* row = to.At(first[0], first[1], first[2] + z);
-      for (int y = 0; y < this->Mesh.Window[1]; ++y, row += to.Stride)
+      for (int y = 0; y < window[1]; ++y, row += to.Stride)
       {
         const float factor = plane * weights[1][y];
-        for (int x = 0; x < this->Mesh.Window[0]; x += 8)
+        for (int x = 0; x < window[0]; x += 8)
         {
           Store(Load<Float8>(row + x) + factor * Load<Float8>(weights[0] + x), row + x);
         }
@@ -49,48 +51,49 @@ public:
   }
 
 private:
-  // Sets the weights of the nodes along an axis and returns the first of them.
+  // Sets the weights of the points along an axis and returns the first of them.
   int WeightsAlong(int axis, double x, float* weights) const
   {
-    const double step = this->Mesh.Step[axis];
-    const double place = (x - this->Mesh.Origin[axis]) / step;
-    const int first = this->Mesh.LowestNode(axis, x);
-    const auto inside = static_cast<float>(place - first);
-    const auto rate = static_cast<float>(-0.5 * step * step / this->Mesh.Spread);
-    const auto scale = static_cast<float>(step / std::sqrt(2.0 * M_PI * this->Mesh.Spread));
+    const double spacing = this->Hierarchy.Spacing[axis];
+    const double variance = this->Hierarchy.ChargeVariance;
+    const double at = (x - this->Hierarchy.Origin[axis]) / spacing;
+    const int first = this->Hierarchy.FirstPoint(axis, x);
+    const auto inside = static_cast<float>(at - first);
+    const auto rate = static_cast<float>(-0.5 * spacing * spacing / variance);
+    const auto scale = static_cast<float>(spacing / std::sqrt(2.0 * M_PI * variance));
     const Float8 lanes{ 0.0f, 1.0f, 2.0f, 3.0f, 4.0f, 5.0f, 6.0f, 7.0f };
-    for (int i = 0; i < this->Mesh.Window[axis]; i += 8)
+    for (int i = 0; i < this->Hierarchy.Window[axis]; i += 8)
     {
-      const Float8 away = lanes + (static_cast<float>(i) - inside);
-      Store(scale * Exponential(rate * away * away), weights + i);
+      const Float8 distance = lanes + (static_cast<float>(i) - inside);
+      Store(scale * Exponential(rate * distance * distance), weights + i);
     }
     return first;
   }
 
-  const FieldMesh& Mesh;
+  const GridHierarchy& Hierarchy;
 };
 
-/// Spreads the charges of a row of cells along x. Those of the rows next to it in y and z must not
-/// be spread meanwhile.
-inline void SpreadCells(FieldMesh& mesh, int y, int z)
+/// Anterpolates the charges of a row of cells along x. Those of the neighbouring rows along y and z
+/// add to the same points and must not be anterpolated at the same time.
+inline void AnterpolateCellsImpl(GridHierarchy& hierarchy, int y, int z)
 {
-  const ChargeSpreader spreader(mesh);
-  MeshPatch patch;
-  for (int x = 0; x < mesh.Cells.Count[0]; ++x)
+  const Anterpolator anterpolator(hierarchy);
+  const GridRows& grid = hierarchy.Levels[0].Charges.Rows;
+  GridPatch patch;
+  for (int x = 0; x < hierarchy.Cells.Count[0]; ++x)
   {
-    NodeBox box;
+    GridBox box;
     const int cell[3] = { x, y, z };
     for (int axis = 0; axis < 3; ++axis)
     {
-      box.First[axis] = mesh.Cells.First[axis] + cell[axis] * mesh.Window[axis];
-      const NodeBox& all = mesh.Levels[0].Charges.Rows.Box;
-      const int end = all.First[axis] + all.Count[axis];
-      box.Count[axis] = std::min(2 * mesh.Window[axis], end - box.First[axis]);
+      const int window = hierarchy.Window[axis];
+      box.First[axis] = hierarchy.Cells.First[axis] + cell[axis] * window;
+      const int end = grid.Box.First[axis] + grid.Box.Count[axis];
+      box.Count[axis] = std::min(2 * window, end - box.First[axis]);
     }
-    const std::int32_t* starts = mesh.CellAt(x, y, z);
-    AddInParts(mesh.Charges.data() + starts[0], starts[1] - starts[0], box,
-      mesh.Levels[0].Charges.Rows, patch,
-      [&](const Charge& charge, const MeshRows& to) { spreader.Add(charge, to); });
+    const std::int32_t* starts = hierarchy.CellAt(x, y, z);
+    AddInBatches(hierarchy.Charges.data() + starts[0], starts[1] - starts[0], box, grid, patch,
+      [&](const Charge& charge, const GridRows& to) { anterpolator.Add(charge, to); });
   }
 }
 }

@@ -2,22 +2,18 @@
 #ifndef Cells_h
 #define Cells_h
 
+#include "base/Box.h"
 #include "metaballs/multilevel/GridHierarchy.h"
 
 namespace spherepacking
 {
-struct ChargeBox
-{
-  double Low[3];
-  double High[3];
-};
+/// The bounding box of charges, of which there is at least one.
+Box BoundsOf(const std::vector<Charge>& charges);
 
-/// The box of the places of charges, of which there are some.
-ChargeBox BoxOf(const std::vector<Charge>& charges);
-
-/// Gives a mesh, whose finest nodes are set, its charges, cell by cell, and the cells. Sorts in
-/// place: twice as many would be more memory than all the rest.
-void SortIntoCells(std::vector<Charge>&& charges, FieldMesh& mesh, const ParallelFor& parallelFor);
+/// Gives a hierarchy, whose finest box of charges is known, its cells and the charges, by a
+/// counting sort in place: a second array of charges would take more memory than everything else.
+void SortIntoCells(
+  std::vector<Charge>&& charges, GridHierarchy& hierarchy, const ParallelFor& parallelFor);
 }
 
 #endif

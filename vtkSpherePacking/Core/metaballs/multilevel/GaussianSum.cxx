@@ -7,17 +7,17 @@ namespace spherepacking
 {
 namespace
 {
-constexpr double AlphaTimesStep = 0.55;
-// The rest of the sum is below a double's rounding.
-constexpr int Enough = 200;
+constexpr double AlphaTimesSpacing = 0.55;
+// The terms from here on are below the rounding of a double.
+constexpr int Terms = 200;
 }
 
 //------------------------------------------------------------------------------
-GaussianSum::GaussianSum(int power, double step)
-  : Reach((power == 1 ? 2.8 : 3.2) / std::sqrt(2.0) * step / AlphaTimesStep)
+GaussianSum::GaussianSum(int power, double spacing)
+  : Cutoff((power == 1 ? 2.8 : 3.2) / std::sqrt(2.0) * spacing / AlphaTimesSpacing)
   , Power(power)
-  , Step(step)
-  , Alpha(AlphaTimesStep / step)
+  , Spacing(spacing)
+  , Alpha(AlphaTimesSpacing / spacing)
 {
 }
 
@@ -35,37 +35,31 @@ double GaussianSum::Weight(int m) const
 }
 
 //------------------------------------------------------------------------------
-double GaussianSum::Variance(int m) const
+double GaussianSum::ChargeVariance(int level) const
 {
-  return 0.5 / (this->Rate(m) * this->Rate(m));
+  return level == 0 ? 0.25 / (this->Alpha * this->Alpha)
+                    : std::exp2(2.0 * level) * this->Spacing * this->Spacing;
 }
 
 //------------------------------------------------------------------------------
-double GaussianSum::SpreadOf(int mesh) const
-{
-  return mesh == 0 ? 0.25 / (this->Alpha * this->Alpha)
-                   : std::exp2(2.0 * mesh) * this->Step * this->Step;
-}
-
-//------------------------------------------------------------------------------
-double GaussianSum::Smooth(double distance) const
+double GaussianSum::LongRange(double distance) const
 {
   double sum = 0.0;
-  for (int m = 0; m < Enough; ++m)
+  for (int m = 0; m < Terms; ++m)
   {
-    const double away = this->Rate(m) * distance;
-    sum += this->Weight(m) * std::exp(-away * away);
+    const double x = this->Rate(m) * distance;
+    sum += this->Weight(m) * std::exp(-x * x);
   }
   return sum;
 }
 
 //------------------------------------------------------------------------------
-void GaussianSum::Rest(int first, double& rate, double& weight) const
+void GaussianSum::MergeTerms(int first, double& rate, double& weight) const
 {
-  // Right to the square of the distance.
+  // The sum of the weights, and the sum of the coefficients of d^2, stay the same.
   double square = 0.0;
   weight = 0.0;
-  for (int m = first; m < first + Enough; ++m)
+  for (int m = first; m < first + Terms; ++m)
   {
     weight += this->Weight(m);
     square += this->Weight(m) * this->Rate(m) * this->Rate(m);

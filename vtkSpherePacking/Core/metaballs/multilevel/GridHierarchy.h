@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// Charges and their field on meshes, see GaussianSum.h.
+/// The grids of multilevel summation with their charges and fields, see GaussianSum.h.
+///
+/// The spacing doubles from level to level. The points of the finest, level 0, include those where
+/// the field is wanted.
 #ifndef GridHierarchy_h
 #define GridHierarchy_h
 
 #include "base/HugeArray.h"
-#include "metaballs/multipole/ChargeTree.h"
+#include "base/ParallelFor.h"
+#include "metaballs/field/Charge.h"
 #include "metaballs/field/FieldGrid.h"
-#include "metaballs/multilevel/GaussianSum.h"
 
 #include <cmath>
 #include <memory>
@@ -14,31 +17,31 @@
 
 namespace spherepacking
 {
-/// Nodes of a mesh, by their numbers: node 0 of all meshes is at the grid's origin.
-struct NodeBox
+/// A box of points of a grid; point 0 of every level is at the origin of the field's grid.
+struct GridBox
 {
   int First[3] = {};
   int Count[3] = {};
 
-  SPHEREPACKING_INLINE std::int64_t Nodes() const
+  SPHEREPACKING_INLINE std::int64_t Size() const
   {
     return static_cast<std::int64_t>(this->Count[0]) * this->Count[1] * this->Count[2];
   }
 };
 
-/// Values at the nodes of a box, x fastest. Rows are whole eights, but no multiples
-/// of 32 values, so that neighbours do not compete for places in the cache.
-struct MeshRows
+/// Values at the points of a box, x fastest. The stride is a multiple of 8 values, a vector, but
+/// not of 32, so that neighbouring rows do not fall into the same cache sets.
+struct GridRows
 {
-  NodeBox Box;
-  std::ptrdiff_t Stride = 0; ///< of rows
+  GridBox Box;
+  std::ptrdiff_t Stride = 0; ///< from row to row along y
   float* Values = nullptr;
 
-  MeshRows() = default;
-  /// With room for so many more values in each row.
-  SPHEREPACKING_INLINE explicit MeshRows(const NodeBox& box, int room)
+  GridRows() = default;
+  /// Rows have room for `padding` values behind the last.
+  SPHEREPACKING_INLINE explicit GridRows(const GridBox& box, int padding)
     : Box(box)
-    , Stride((box.Count[0] + room + 7) / 8 * 8)
+    , Stride((box.Count[0] + padding + 7) / 8 * 8)
   {
     this->Stride += this->Stride % 32 == 0 ? 8 : 0;
   }
@@ -47,11 +50,16 @@ struct MeshRows
   {
     return this->Stride * this->Box.Count[1] * this->Box.Count[2];
   }
+
+  /// The number of points along x, rounded up to whole vectors.
   SPHEREPACKING_INLINE int Width() const { return (this->Box.Count[0] + 7) / 8 * 8; }
-  SPHEREPACKING_INLINE std::ptrdiff_t Step(int axis) const
+
+  /// From one value to the next along y or z.
+  SPHEREPACKING_INLINE std::ptrdiff_t StrideAlong(int axis) const
   {
     return axis == 1 ? this->Stride : this->Stride * this->Box.Count[1];
   }
+
   SPHEREPACKING_INLINE float* At(int x, int y, int z) const
   {
     return this->Values + (x - this->Box.First[0]) +
@@ -61,9 +69,10 @@ struct MeshRows
   }
 };
 
-struct MeshArray
+/// Rows that own their values.
+struct GridArray
 {
-  MeshRows Rows;
+  GridRows Rows;
 
   void Allocate()
   {
@@ -75,64 +84,72 @@ private:
   HugeArray<float> Values;
 };
 
-/// Weights of the nodes from -Radius to Radius.
-struct MeshTaps
+/// Weights of the points from -Radius to Radius along an axis.
+struct AxisStencil
 {
   int Radius = 0;
   std::vector<float> Weights;
 };
 
-struct MeshLevel
+/// A separable stencil: the weight of a point is the product of those along the axes.
+struct Stencil
 {
-  MeshArray Charges;
-  MeshArray Field; ///< empty for mesh 0, whose field is made block by block
-  struct Kernel
-  {
-    MeshTaps Along[3];
-  };
-  std::vector<Kernel> Kernels; ///< of the terms that are made here
-  Kernel Down;                 ///< to these charges from those of the mesh before
-  Kernel Up[2]; ///< to the even and to the odd nodes of the mesh before, from this field
+  AxisStencil Along[3];
 };
 
-struct FieldMesh
+struct GridLevel
 {
-  static constexpr int Terms = 8;
+  GridArray Charges;
+  GridArray Field; ///< empty for level 0, whose field is summed block by block
+  std::vector<Stencil>
+    Terms;                 ///< from these charges to this field, one per term of the Gaussian sum
+  Stencil Restriction;     ///< from the charges of the finer level to these
+  Stencil Prolongation[2]; ///< from this field to the even and to the odd points of the finer one
+};
+
+struct GridHierarchy
+{
+  static constexpr int LongRangeTerms = 8;
 
   int Power = 1;
   double Origin[3];
-  double Step[3];
-  double Spread = 0.0; ///< variance of a charge on mesh 0
-  double Reach = 0.0;  ///< of the terms that are summed charge by charge
-  float Smooth[Terms]; ///< the others, a polynomial of (d / Reach)^2
-  int Window[3];       ///< nodes that a charge is spread to
-  /// Each has charges whose lowest nodes are among Window nodes; First is the lowest of all.
-  NodeBox Cells;
+  double Spacing[3];
+  double ChargeVariance = 0.0;     ///< of anterpolation
+  double Cutoff = 0.0;             ///< of the short-range terms
+  float LongRange[LongRangeTerms]; ///< within it the other terms: a polynomial of (d / Cutoff)^2
+  int Window[3];                   ///< points along each axis that a charge is anterpolated to
+
+  /// Cells of Window[0] x Window[1] x Window[2] points. A charge is in the cell in which the points
+  /// that it is anterpolated to begin; First is the first of these points of all charges, Count the
+  /// number of cells.
+  GridBox Cells;
   std::vector<std::int32_t> CellStarts;
   std::vector<Charge> Charges; ///< cell by cell
-  std::vector<MeshLevel> Levels;
 
-  /// Of those that a charge is spread to. Grows with x.
-  SPHEREPACKING_INLINE int LowestNode(int axis, double x) const
+  std::vector<GridLevel> Levels; ///< from fine to coarse
+
+  /// The first point along an axis that a charge at x is anterpolated to. Increases with x.
+  SPHEREPACKING_INLINE int FirstPoint(int axis, double x) const
   {
     return static_cast<int>(
-      std::ceil((x - this->Origin[axis]) / this->Step[axis] - 0.5 * this->Window[axis]));
+      std::ceil((x - this->Origin[axis]) / this->Spacing[axis] - 0.5 * this->Window[axis]));
   }
 
-  /// The number of a cell's first charge; the next cell's is where they end.
+  /// The position of a cell's first charge; the next element is that behind its last.
   SPHEREPACKING_INLINE const std::int32_t* CellAt(int x, int y, int z) const
   {
-    const NodeBox& cells = this->Cells;
+    const GridBox& cells = this->Cells;
     return this->CellStarts.data() + x +
       cells.Count[0] * (y + static_cast<std::ptrdiff_t>(cells.Count[1]) * z);
   }
 };
 
-/// Whether the field of the charges can be had through meshes, in less time than through a tree and
-/// with little memory beside the charges.
-bool IsForMesh(const std::vector<Charge>& charges, const FieldGrid& grid, int power);
+/// Whether multilevel summation can make the field, is faster than the fast multipole method and
+/// takes little memory beside the charges.
+bool SuitsMultilevel(const std::vector<Charge>& charges, const FieldGrid& grid, int power);
 
-std::unique_ptr<FieldMesh> BuildFieldMesh(
+/// Charges and fields of all levels but the field of level 0, which MultilevelSum makes of them.
+std::unique_ptr<GridHierarchy> BuildGridHierarchy(
   std::vector<Charge>&& charges, const FieldGrid& grid, int power, const ParallelFor& parallelFor);
 }
 

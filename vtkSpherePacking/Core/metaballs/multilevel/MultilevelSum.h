@@ -3,7 +3,6 @@
 #define MultilevelSum_h
 
 #include "metaballs/field/Blobs.h"
-#include "metaballs/FieldScene.h"
 #include "metaballs/multilevel/GridTransfer.h"
 
 #include <cmath>
@@ -12,54 +11,58 @@ namespace spherepacking
 {
 inline namespace SPHEREPACKING_ISA
 {
-/// Sums the field of an inverse kernel over a part of a grid, through meshes: what is smooth from
-/// these, what is sharp charge by charge.
+/// Multilevel summation: sums the field of an inverse kernel over blocks of a grid, long-range
+/// terms from the levels of the hierarchy, short-range terms directly from the charges within
+/// Cutoff.
 template <int Power>
-class MeshSummer
+class MultilevelSum
 {
 public:
-  explicit MeshSummer(const FieldScene& scene)
-    : Grid(scene.Grid)
-    , Mesh(*scene.Mesh)
+  /// Both have to outlive this.
+  MultilevelSum(const FieldGrid& grid, const GridHierarchy& hierarchy)
+    : Grid(grid)
+    , Hierarchy(hierarchy)
   {
   }
 
+  /// Sets the grid's field at the points of a block.
   void Run(const FieldBlock& block)
   {
-    NodeBox box;
+    GridBox box;
     for (int axis = 0; axis < 3; ++axis)
     {
       box.First[axis] = static_cast<int>(block.First[axis]);
       box.Count[axis] = block.Count[axis];
     }
-    SumMeshes(this->Mesh, 0, box, this->Scratch);
-    this->AddSharp();
+    SumLevels(this->Hierarchy, 0, box, this->Scratch);
+    this->AddShortRange();
     ForEachRow(box,
       [&](int y, int z)
       {
         std::copy_n(this->Scratch.Sums.Rows.At(box.First[0], y, z), box.Count[0],
-          this->Grid.Field + this->Grid.Place(box.First[0], y, z));
+          this->Grid.Field + this->Grid.Index(box.First[0], y, z));
       });
   }
 
 private:
-  // Goes through the cells that have charges within reach of the box.
-  void AddSharp()
+  // Visits the cells whose charges may be within Cutoff of the box.
+  void AddShortRange()
   {
-    const NodeBox& cells = this->Mesh.Cells;
+    const GridBox& cells = this->Hierarchy.Cells;
     int first[3];
     int last[3];
     for (int axis = 0; axis < 3; ++axis)
     {
-      const NodeBox& box = this->Scratch.Sums.Rows.Box;
-      const int reach = static_cast<int>(this->Mesh.Reach / this->Mesh.Step[axis]) + 1;
-      const int size = this->Mesh.Window[axis];
-      // Of the lowest nodes that charges are spread to, half a window below these.
-      const int below = cells.First[axis] + size / 2;
-      const int low = box.First[axis] - reach - 1 - below;
-      const int high = box.First[axis] + box.Count[axis] + reach - below;
-      first[axis] = std::max(low, 0) / size;
-      last[axis] = std::min(high / size, cells.Count[axis] - 1);
+      const GridBox& box = this->Scratch.Sums.Rows.Box;
+      const int reach =
+        static_cast<int>(this->Hierarchy.Cutoff / this->Hierarchy.Spacing[axis]) + 1;
+      const int window = this->Hierarchy.Window[axis];
+      // Charges are half a window above the first point that they are anterpolated to.
+      const int lowest = cells.First[axis] + window / 2;
+      const int low = box.First[axis] - reach - 1 - lowest;
+      const int high = box.First[axis] + box.Count[axis] + reach - lowest;
+      first[axis] = std::max(low, 0) / window;
+      last[axis] = std::min(high / window, cells.Count[axis] - 1);
       if (high < 0 || first[axis] > last[axis])
       {
         return;
@@ -69,115 +72,120 @@ private:
     {
       for (int x = first[0]; x <= last[0]; ++x)
       {
-        // Along z last: from one cell to the next most places are the same.
+        // z last: neighbouring cells along it share most points, which stay in the cache.
         for (int z = first[2]; z <= last[2]; ++z)
         {
-          const std::int32_t* starts = this->Mesh.CellAt(x, y, z);
-          AddInParts(this->Mesh.Charges.data() + starts[0], starts[1] - starts[0],
-            this->Scratch.Sums.Rows.Box, this->Scratch.Sums.Rows, this->Scratch.Parts[0],
-            [this](const Charge& charge, const MeshRows& to) { this->AddCharge(charge, to); });
+          const std::int32_t* starts = this->Hierarchy.CellAt(x, y, z);
+          AddInBatches(this->Hierarchy.Charges.data() + starts[0], starts[1] - starts[0],
+            this->Scratch.Sums.Rows.Box, this->Scratch.Sums.Rows, this->Scratch.AlongZ,
+            [this](const Charge& charge, const GridRows& to) { this->AddCharge(charge, to); });
         }
       }
     }
   }
 
-  // Where a charge is in the box along an axis.
-  struct Place
+  // The points of the box within Cutoff of a charge along an axis, and how far they are from it.
+  struct AxisDistance
   {
-    int First; // of the nodes within reach
+    int First;
     int Last;
-    float Nearest; // node
-    float Beyond;  // the nearest node, in space: exact in single precision also if tiny
-    float Step;
+    float Nearest; // the point nearest to the charge
+    float Offset;  // of the charge from that point, in space: accurate as a float even if tiny
+    float Spacing;
 
-    float Away(int node) const
+    float At(int point) const
     {
-      return (static_cast<float>(node) - this->Nearest) * this->Step - this->Beyond;
+      return (static_cast<float>(point) - this->Nearest) * this->Spacing - this->Offset;
+    }
+
+    Float8 At8(int point) const
+    {
+      const Float8 lanes{ 0.0f, 1.0f, 2.0f, 3.0f, 4.0f, 5.0f, 6.0f, 7.0f };
+      return (lanes + (static_cast<float>(point) - this->Nearest)) * this->Spacing - this->Offset;
     }
   };
 
-  Place PlaceOf(int axis, double x) const
+  AxisDistance DistanceAlong(int axis, double x) const
   {
-    const NodeBox& box = this->Scratch.Sums.Rows.Box;
-    const double step = this->Mesh.Step[axis];
-    const double at = (x - this->Mesh.Origin[axis]) / step - box.First[axis];
-    const double reach = this->Mesh.Reach / step;
-    const double node = std::nearbyint(at);
-    Place place;
-    place.First = std::max(static_cast<int>(std::ceil(at - reach)), 0);
-    place.Last = std::min(static_cast<int>(std::floor(at + reach)), box.Count[axis] - 1);
-    place.Nearest = static_cast<float>(node);
-    place.Beyond = static_cast<float>((at - node) * step);
-    place.Step = static_cast<float>(step);
-    return place;
+    const GridBox& box = this->Scratch.Sums.Rows.Box;
+    const double spacing = this->Hierarchy.Spacing[axis];
+    const double at = (x - this->Hierarchy.Origin[axis]) / spacing - box.First[axis];
+    const double reach = this->Hierarchy.Cutoff / spacing;
+    const double nearest = std::nearbyint(at);
+    AxisDistance distance;
+    distance.First = std::max(static_cast<int>(std::ceil(at - reach)), 0);
+    distance.Last = std::min(static_cast<int>(std::floor(at + reach)), box.Count[axis] - 1);
+    distance.Nearest = static_cast<float>(nearest);
+    distance.Offset = static_cast<float>((at - nearest) * spacing);
+    distance.Spacing = static_cast<float>(spacing);
+    return distance;
   }
 
-  void AddCharge(const Charge& charge, const MeshRows& rows) const
+  void AddCharge(const Charge& charge, const GridRows& rows) const
   {
-    const Place x = this->PlaceOf(0, charge.X[0]);
-    const Place y = this->PlaceOf(1, charge.X[1]);
-    const Place z = this->PlaceOf(2, charge.X[2]);
-    const SharpTerms sharp(this->Mesh, charge);
+    const AxisDistance x = this->DistanceAlong(0, charge.Position[0]);
+    const AxisDistance y = this->DistanceAlong(1, charge.Position[1]);
+    const AxisDistance z = this->DistanceAlong(2, charge.Position[2]);
+    const ShortRange shortRange(this->Hierarchy, charge);
     for (int k = z.First; k <= z.Last; ++k)
     {
-      const float dz = z.Away(k);
+      const float dz = z.At(k);
       float* row = rows.At(rows.Box.First[0], rows.Box.First[1] + y.First, rows.Box.First[2] + k);
       for (int j = y.First; j <= y.Last; ++j, row += rows.Stride)
       {
-        const float dy = y.Away(j);
-        const float aside = dy * dy + dz * dz;
-        for (int i = x.First; aside < sharp.Most && i <= x.Last; i += 8)
+        const float dy = y.At(j);
+        const float squareYZ = dy * dy + dz * dz;
+        for (int i = x.First; squareYZ < shortRange.MaxSquare && i <= x.Last; i += 8)
         {
-          const Float8 dx = (Lanes() + (static_cast<float>(i) - x.Nearest)) * x.Step - x.Beyond;
-          Store(Load<Float8>(row + i) + sharp(dx * dx + aside), row + i);
+          const Float8 dx = x.At8(i);
+          Store(Load<Float8>(row + i) + shortRange(dx * dx + squareYZ), row + i);
         }
       }
     }
   }
 
-  static Float8 Lanes() { return Float8{ 0.0f, 1.0f, 2.0f, 3.0f, 4.0f, 5.0f, 6.0f, 7.0f }; }
-
-  // A charge's kernel less its smooth terms, 0 beyond the reach. Sums go through memory, which the
-  // numbers here are not read from again.
-  class SharpTerms
+  // The field of a charge minus its long-range terms as a function of the squared distance, 0
+  // beyond Cutoff. All that it needs are members: through a reference they would be loaded again
+  // after every store of a sum.
+  class ShortRange
   {
   public:
-    SharpTerms(const FieldMesh& mesh, const Charge& charge)
-      : Most(static_cast<float>(mesh.Reach * mesh.Reach))
-      , Inverse(1.0f / this->Most)
+    ShortRange(const GridHierarchy& hierarchy, const Charge& charge)
+      : MaxSquare(static_cast<float>(hierarchy.Cutoff * hierarchy.Cutoff))
+      , Inverse(1.0f / this->MaxSquare)
       , Strength(charge.Strength)
       , Shape(static_cast<float>(InverseBlob<Power>::Shape(charge.Radius)))
     {
-      std::copy_n(mesh.Smooth, FieldMesh::Terms, this->Smooth);
+      std::copy_n(hierarchy.LongRange, GridHierarchy::LongRangeTerms, this->LongRange);
     }
 
     Float8 operator()(const Float8& square) const
     {
-      const Float8 share = square * this->Inverse;
-      // Pairs of terms, then pairs of pairs: few that wait for each other.
-      const float* s = this->Smooth;
-      const Float8 second = share * share;
-      const Float8 low = (s[0] + s[1] * share) + (s[2] + s[3] * share) * second;
-      const Float8 high = (s[4] + s[5] * share) + (s[6] + s[7] * share) * second;
-      static_assert(FieldMesh::Terms == 8, "as they are added");
-      const Float8 smooth = low + high * (second * second);
+      static_assert(GridHierarchy::LongRangeTerms == 8, "as they are added here");
+      const Float8 t = square * this->Inverse;
+      // Estrin's scheme: shorter chains of operations that wait for each other than Horner's rule.
+      const float* c = this->LongRange;
+      const Float8 t2 = t * t;
+      const Float8 low = (c[0] + c[1] * t) + (c[2] + c[3] * t) * t2;
+      const Float8 high = (c[4] + c[5] * t) + (c[6] + c[7] * t) * t2;
+      const Float8 longRange = low + high * (t2 * t2);
       const Float8 all = InverseBlob<Power>::Value(square, Float8{} + 1.0f, Float8{} + this->Shape);
-      const Float8 sharp = (all - smooth) * this->Strength;
-      return square < this->Most ? sharp : Float8{};
+      const Float8 value = (all - longRange) * this->Strength;
+      return square < this->MaxSquare ? value : Float8{};
     }
 
-    const float Most;
+    const float MaxSquare;
 
   private:
     const float Inverse;
     const float Strength;
     const float Shape;
-    float Smooth[FieldMesh::Terms];
+    float LongRange[GridHierarchy::LongRangeTerms];
   };
 
   const FieldGrid& Grid;
-  const FieldMesh& Mesh;
-  MeshScratch Scratch;
+  const GridHierarchy& Hierarchy;
+  GridScratch Scratch;
 };
 }
 }

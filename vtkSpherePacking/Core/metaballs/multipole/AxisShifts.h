@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// Expansions about another centre: shifts along x, y and z, one after the other.
+/// Expansions about another centre: M2M for moments, L2L for derivatives.
 ///
-/// A shift along one axis takes sums over its exponent alone, O(p^4) operations in all in place of
-/// O(p^6), or O(p^3) in place of O(p^4) where only small exponents of z are kept. Neither a
-/// polynomial of degree p nor moments up to that degree lose anything.
+/// A shift by (x, y, z) is done as three shifts along the axes, each of which takes sums over the
+/// exponent of its axis alone: O(p^4) operations in place of O(p^6), or O(p^3) in place of O(p^4)
+/// for a reduced index. Neither loses anything: a polynomial of degree p stays one, and moments up
+/// to the degree p depend on those up to p alone.
 #ifndef AxisShifts_h
 #define AxisShifts_h
 
@@ -14,7 +15,7 @@ namespace spherepacking
 {
 inline namespace SPHEREPACKING_ISA
 {
-/// s^n / n! up to n = order.
+/// s^n / n! for n <= order.
 template <typename Real>
 inline void ScaledPowers(int order, const Real& s, Real* powers)
 {
@@ -25,120 +26,121 @@ inline void ScaledPowers(int order, const Real& s, Real* powers)
   }
 }
 
-/// The derivatives of larger exponents of z than are kept, which follow from those.
+/// The derivatives of a full index from those of a reduced one, by Laplace's equation.
 template <typename Real>
-inline void Unfold(const MultiIndex& kept, const Real* derivatives, const MultiIndex& all, Real* to)
+inline void RestoreDerivatives(
+  const MultiIndex& reduced, const Real* derivatives, const MultiIndex& full, Real* to)
 {
-  ForEachMonomial(all,
-    [&](int i, int j, int k, int place)
+  ForEachMonomial(full,
+    [&](int i, int j, int k, int n)
     {
-      to[place] = k <= kept.Top ? derivatives[kept(i, j, k)]
-                                : -to[all(i + 2, j, k - 2)] - to[all(i, j + 2, k - 2)];
+      to[n] = k <= reduced.ZDegree ? derivatives[reduced(i, j, k)]
+                                   : -to[full(i + 2, j, k - 2)] - to[full(i, j + 2, k - 2)];
     });
 }
 
-/// Adds moments of larger exponents of z than are kept to those that are.
+/// The moments of a reduced index from those of a full one, which are overwritten.
 template <typename Real>
-inline void Fold(const MultiIndex& all, Real* from, const MultiIndex& kept, Real* moments)
+inline void ReduceMoments(const MultiIndex& full, Real* from, const MultiIndex& reduced, Real* to)
 {
-  for (int k = all.Top; k > kept.Top; --k)
+  for (int k = full.ZDegree; k > reduced.ZDegree; --k)
   {
-    for (int j = 0; j + k <= all.Order; ++j)
+    for (int j = 0; j + k <= full.Order; ++j)
     {
-      for (int i = 0; i + j + k <= all.Order; ++i)
+      for (int i = 0; i + j + k <= full.Order; ++i)
       {
-        const Real moment = from[all(i, j, k)];
-        from[all(i + 2, j, k - 2)] -= moment;
-        from[all(i, j + 2, k - 2)] -= moment;
+        const Real moment = from[full(i, j, k)];
+        from[full(i + 2, j, k - 2)] -= moment;
+        from[full(i, j + 2, k - 2)] -= moment;
       }
     }
   }
-  ForEachMonomial(
-    kept, [&](int i, int j, int k, int place) { moments[place] = from[all(i, j, k)]; });
+  ForEachMonomial(reduced, [&](int i, int j, int k, int n) { to[n] = from[full(i, j, k)]; });
 }
 
-/// Derivatives at a place that is away by (x, y, z). `all` has all exponents of z.
+/// L2L: derivatives of a polynomial at the former centre plus `shift`.
 template <typename Real>
 inline void ShiftDerivatives(
-  const MultiIndex& kept, const MultiIndex& all, const Real (&away)[3], Real* derivatives)
+  const MultiIndex& reduced, const MultiIndex& full, const Real (&shift)[3], Real* derivatives)
 {
-  const int order = kept.Order;
-  Real powers[3][MostOrder + 1];
+  const int order = reduced.Order;
+  Real powers[3][MaxOrder + 1];
   for (int axis = 0; axis < 3; ++axis)
   {
-    ScaledPowers(order, away[axis], powers[axis]);
+    ScaledPowers(order, shift[axis], powers[axis]);
   }
-  Real whole[MostMonomials];
-  Unfold(kept, derivatives, all, whole);
-  ForEachMonomial(kept,
-    [&](int i, int j, int k, int place)
+  Real restored[MaxFull];
+  RestoreDerivatives(reduced, derivatives, full, restored);
+  ForEachMonomial(reduced,
+    [&](int i, int j, int k, int n)
     {
-      Real sum = whole[all(i, j, k)];
+      Real sum = restored[full(i, j, k)];
       for (int c = 1; i + j + k + c <= order; ++c)
       {
-        sum += whole[all(i, j, k + c)] * powers[2][c];
+        sum += restored[full(i, j, k + c)] * powers[2][c];
       }
-      derivatives[place] = sum;
+      derivatives[n] = sum;
     });
-  // In place: what is read has not been written.
-  ForEachMonomial(kept,
-    [&](int i, int j, int k, int place)
+  // In place, upwards: what is read has not been shifted yet.
+  ForEachMonomial(reduced,
+    [&](int i, int j, int k, int n)
     {
       for (int b = 1; i + j + k + b <= order; ++b)
       {
-        derivatives[place] += derivatives[kept(i, j + b, k)] * powers[1][b];
+        derivatives[n] += derivatives[reduced(i, j + b, k)] * powers[1][b];
       }
     });
-  ForEachMonomial(kept,
-    [&](int i, int j, int k, int place)
+  ForEachMonomial(reduced,
+    [&](int i, int j, int k, int n)
     {
       for (int a = 1; i + j + k + a <= order; ++a)
       {
-        derivatives[place] += derivatives[place + a] * powers[0][a];
+        derivatives[n] += derivatives[n + a] * powers[0][a];
       }
     });
 }
 
-/// Moments about a centre from which the former one is away by (x, y, z), of charges at -y: those
-/// of a ClusterMoments.
+/// M2M: moments about another centre. As they are those of -y, see ClusterMoments, `shift` is the
+/// new centre minus the former one.
 template <typename Real>
 inline void ShiftMoments(
-  const MultiIndex& kept, const MultiIndex& all, const Real (&away)[3], Real* moments)
+  const MultiIndex& reduced, const MultiIndex& full, const Real (&shift)[3], Real* moments)
 {
-  const int order = kept.Order;
-  Real powers[3][MostOrder + 1];
+  const int order = reduced.Order;
+  Real powers[3][MaxOrder + 1];
   for (int axis = 0; axis < 3; ++axis)
   {
-    ScaledPowers(order, away[axis], powers[axis]);
+    ScaledPowers(order, shift[axis], powers[axis]);
   }
-  Real whole[MostMonomials];
-  ForEachMonomial(all,
-    [&](int i, int j, int k, int place)
+  Real shifted[MaxFull];
+  ForEachMonomial(full,
+    [&](int i, int j, int k, int n)
     {
       Real sum{};
-      for (int c = std::max(0, k - kept.Top); c <= k; ++c)
+      for (int c = std::max(0, k - reduced.ZDegree); c <= k; ++c)
       {
-        sum += moments[kept(i, j, k - c)] * powers[2][c];
+        sum += moments[reduced(i, j, k - c)] * powers[2][c];
       }
-      whole[place] = sum;
+      shifted[n] = sum;
     });
-  Fold(all, whole, kept, moments);
-  for (int k = 0; k <= kept.Top; ++k)
+  ReduceMoments(full, shifted, reduced, moments);
+  // In place, downwards.
+  for (int k = 0; k <= reduced.ZDegree; ++k)
   {
     for (int j = order - k; j >= 0; --j)
     {
       for (int i = order - j - k; i >= 0; --i)
       {
-        Real& moment = moments[kept(i, j, k)];
+        Real& moment = moments[reduced(i, j, k)];
         for (int b = 1; b <= j; ++b)
         {
-          moment += moments[kept(i, j - b, k)] * powers[1][b];
+          moment += moments[reduced(i, j - b, k)] * powers[1][b];
         }
       }
     }
     for (int j = 0; j + k <= order; ++j)
     {
-      Real* row = moments + kept.Rows[k][j];
+      Real* row = moments + reduced.Rows[k][j];
       for (int i = order - j - k; i >= 0; --i)
       {
         for (int a = 1; a <= i; ++a)

@@ -3,44 +3,38 @@
 #define ChargeTree_h
 
 #include "base/ParallelFor.h"
+#include "metaballs/field/Charge.h"
 
 #include <cstdint>
 #include <vector>
 
 namespace spherepacking
 {
-/// What makes a field: one point a sphere, coordinates scaled so that the scene is about 1 long.
-struct Charge
-{
-  double X[3];
-  float Strength;  ///< what the sphere adds, in the unit of its kernel; above 0
-  float Radius;    ///< of the sphere
-  std::int32_t Id; ///< of the sphere in the packing
-};
-
-/// Part of the charges, of which all lie in a ball.
+/// A node of the tree, which stands for a cluster: some of the charges, and a ball around them.
 struct ChargeNode
 {
   double Center[3];
-  double Radius;     ///< of the ball
-  double MeanRadius; ///< of the charges' distances from the centre, by their 16th powers
+  double Radius;     ///< the largest distance of a charge from the centre
+  double MeanRadius; ///< the power mean m of those distances in TruncationError.h
   std::int32_t First = 0;
   std::int32_t Count = 0;
-  std::int32_t Child = -1; ///< the first of two neighbours, or -1
-  float MostRadius = 0.0f; ///< of the spheres
-  float MostStrength = 0.0f;
+  std::int32_t Child = -1; ///< the first of two siblings, or -1 for a leaf
+  float MaxRadius = 0.0f;  ///< of the spheres
+  float MaxStrength = 0.0f;
 };
 
-/// Charges in the order of the leaves of a binary tree; node 0 is all of them.
+/// A binary tree of charges, which are in the order of its leaves. Node 0 is the root; there is
+/// none without charges.
 struct ChargeTree
 {
   std::vector<Charge> Charges;
-  std::vector<ChargeNode> Nodes;
+  std::vector<ChargeNode> Nodes; ///< parents before their children
 };
 
-/// Halves boxes along their longest side until no leaf has more than `leaf` charges.
+/// Splits the charges' bounding boxes in the middle of their longest side, down to leaves of at
+/// most `leafSize` charges; more only where these are coincident.
 ChargeTree BuildChargeTree(
-  std::vector<Charge>&& charges, std::int32_t leaf, const ParallelFor& parallelFor);
+  std::vector<Charge>&& charges, std::int32_t leafSize, const ParallelFor& parallelFor);
 }
 
 #endif

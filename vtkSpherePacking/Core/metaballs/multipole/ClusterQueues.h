@@ -2,9 +2,9 @@
 #ifndef ClusterQueues_h
 #define ClusterQueues_h
 
-#include "metaballs/FieldScene.h"
 #include "metaballs/multipole/LocalExpansion.h"
 #include "metaballs/multipole/MomentsToLocal.h"
+#include "metaballs/multipole/Multipoles.h"
 
 #include <algorithm>
 
@@ -12,38 +12,42 @@ namespace spherepacking
 {
 inline namespace SPHEREPACKING_ISA
 {
-/// Clusters on their way into one expansion, by the order that they need, until there are eight.
+/// Batches clusters for M2L: queues those for one local expansion by the order that they need, and
+/// translates eight at once.
 template <int Power>
 class ClusterQueues
 {
 public:
-  ClusterQueues(const FieldScene& scene, double unit)
-    : Scene(scene)
-    , Order(scene.Moments.Kept.Order)
+  /// `unit` is that of the local expansion.
+  ClusterQueues(const ChargeTree& tree, const Multipoles& multipoles, double unit)
+    : Tree(tree)
+    , Expansions(multipoles)
+    , Order(multipoles.Moments.Reduced.Order)
     , Unit(static_cast<float>(unit))
   {
-    std::fill_n(this->Sums, scene.Moments.Kept.Count, Float8{});
+    std::fill_n(this->Sums, multipoles.Moments.Reduced.Count, Float8{});
   }
 
-  /// `away` points from the cluster's centre to that of the expansion.
-  void Add(std::int32_t node, const double (&away)[3], double inverseDistance, int order)
+  /// `direction` points from the cluster's centre to that of the expansion and is as long as they
+  /// are apart.
+  void Add(std::int32_t node, const double (&direction)[3], double inverseDistance, int order)
   {
-    Clusters& queue = this->Queues[order];
+    ClusterBatch& queue = this->Queues[order];
     const int lane = queue.Count++;
-    queue.Moments[lane] = this->Scene.Moments[node];
-    queue.X[lane] = static_cast<float>(away[0] * inverseDistance);
-    queue.Y[lane] = static_cast<float>(away[1] * inverseDistance);
-    queue.Z[lane] = static_cast<float>(away[2] * inverseDistance);
+    queue.Moments[lane] = this->Expansions.Moments[node];
+    queue.X[lane] = static_cast<float>(direction[0] * inverseDistance);
+    queue.Y[lane] = static_cast<float>(direction[1] * inverseDistance);
+    queue.Z[lane] = static_cast<float>(direction[2] * inverseDistance);
     queue.InverseDistance[lane] = static_cast<float>(inverseDistance);
-    queue.Shrink[lane] = static_cast<float>(this->Scene.Tree.Nodes[node].Radius * inverseDistance);
+    queue.RadiusRatio[lane] = static_cast<float>(this->Tree.Nodes[node].Radius * inverseDistance);
     if (queue.Count == 8)
     {
       this->Translate(order);
     }
   }
 
-  /// Adds all to the expansion.
-  void AddTo(LocalExpansion& local)
+  /// Translates what is queued and adds the sum of all to the expansion.
+  void FlushTo(LocalExpansion& local)
   {
     for (int order = 0; order < this->Order; ++order)
     {
@@ -51,14 +55,14 @@ public:
     }
     if (this->Queues[this->Order].Count > 0)
     {
-      this->Fill(this->Queues[this->Order]);
+      this->FillUp(this->Queues[this->Order]);
       this->Translate(this->Order);
     }
-    for (int place = 0; place < this->Scene.Moments.Kept.Count; ++place)
+    for (int n = 0; n < this->Expansions.Moments.Reduced.Count; ++n)
     {
       for (int lane = 0; lane < 8; ++lane)
       {
-        local.Derivatives[place] += this->Sums[place][lane];
+        local.Derivatives[n] += this->Sums[n][lane];
       }
     }
   }
@@ -66,17 +70,17 @@ public:
 private:
   void Translate(int order)
   {
-    TranslateMoments<Power>(this->Scene.Moments.Kept, this->Scene.Indices[order],
+    MomentsToLocal<Power>(this->Expansions.Moments.Reduced, this->Expansions.Indices[order],
       this->Queues[order], this->Unit, this->Sums);
     this->Queues[order].Count = 0;
   }
 
-  // What is left of an order joins those of the next: more exact than it need be, but the more
-  // often eight are together.
+  // Moves the remaining clusters of an order to the queue of the next: more accurate than they
+  // need, but more batches are full.
   void Raise(int order)
   {
-    Clusters& queue = this->Queues[order];
-    Clusters& next = this->Queues[order + 1];
+    ClusterBatch& queue = this->Queues[order];
+    ClusterBatch& next = this->Queues[order + 1];
     while (queue.Count > 0)
     {
       const int from = --queue.Count;
@@ -86,7 +90,7 @@ private:
       next.Y[to] = queue.Y[from];
       next.Z[to] = queue.Z[from];
       next.InverseDistance[to] = queue.InverseDistance[from];
-      next.Shrink[to] = queue.Shrink[from];
+      next.RadiusRatio[to] = queue.RadiusRatio[from];
       if (next.Count == 8)
       {
         this->Translate(order + 1);
@@ -94,22 +98,24 @@ private:
     }
   }
 
-  void Fill(Clusters& queue) const
+  // Gives unused lanes clusters without charges.
+  void FillUp(ClusterBatch& queue) const
   {
     for (int lane = queue.Count; lane < 8; ++lane)
     {
-      queue.Moments[lane] = this->Scene.Nothing.data();
+      queue.Moments[lane] = this->Expansions.Zeros.data();
       queue.X[lane] = 1.0f;
-      queue.Y[lane] = queue.Z[lane] = queue.Shrink[lane] = 0.0f;
+      queue.Y[lane] = queue.Z[lane] = queue.RadiusRatio[lane] = 0.0f;
       queue.InverseDistance[lane] = 1.0f;
     }
   }
 
-  const FieldScene& Scene;
+  const ChargeTree& Tree;
+  const Multipoles& Expansions;
   const int Order;
   const float Unit;
-  Clusters Queues[MostOrder + 1];
-  Float8 Sums[MostKept];
+  ClusterBatch Queues[MaxOrder + 1];
+  Float8 Sums[MaxReduced]; // of the derivatives, lane by lane
 };
 }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// Moments of charges about a centre.
+/// P2M: moments of charges about a centre.
 #ifndef LeafMoments_h
 #define LeafMoments_h
 
@@ -10,7 +10,8 @@ namespace spherepacking
 {
 inline namespace SPHEREPACKING_ISA
 {
-/// Sums of charge times x^i y^j z^k / (i! j! k!), lane by lane, of charges that come in eights.
+/// P2M sums: of charge times x^i y^j z^k / (i! j! k!) over charges, eight at a time, a sum per
+/// lane.
 class MonomialSums
 {
 public:
@@ -28,20 +29,20 @@ public:
     }
   }
 
-  void Add(const Float8 (&place)[3], const Float8& charge)
+  void Add(const Float8 (&position)[3], const Float8& charge)
   {
-    if (this->Index.Top < this->Index.Order)
+    if (this->Index.ZDegree < this->Index.Order)
     {
-      this->AddFolded(place, charge);
+      this->AddReduced(position, charge);
     }
     else
     {
-      this->AddAll(place, charge);
+      this->AddFull(position, charge);
     }
   }
 
-  /// Adds the lanes' sums to `moments` and sets them to zero.
-  void MoveTo(double* moments)
+  /// Adds the sums of all lanes to `moments` and starts again from zero.
+  void FlushTo(double* moments)
   {
     for (int first = 0; first < this->Index.Count; first += 8)
     {
@@ -55,15 +56,15 @@ public:
   }
 
 private:
-  void AddAll(const Float8 (&place)[3], const Float8& charge)
+  void AddFull(const Float8 (&position)[3], const Float8& charge)
   {
-    Float8 powers[3][MostOrder + 1];
+    Float8 powers[3][MaxOrder + 1];
     for (int axis = 0; axis < 3; ++axis)
     {
       powers[axis][0] = Float8{} + 1.0f;
       for (int n = 1; n <= this->Index.Order; ++n)
       {
-        powers[axis][n] = powers[axis][n - 1] * place[axis] * this->Inverse[n];
+        powers[axis][n] = powers[axis][n - 1] * position[axis] * this->Inverse[n];
       }
     }
     Float8* sum = this->Sums;
@@ -80,20 +81,26 @@ private:
     }
   }
 
-  // Those of larger exponents of z are added to the ones that are kept, k = 0 and 1, which become
-  // homogeneous polynomials of degree n: sums of x, y and z times their derivatives, over n.
-  // Derivatives of these are such polynomials again; that of (i, j, 1) by z is (i, j, 0), that of
-  // (i, j, 0) by z is minus the sum of (i - 2, j, 1) and (i, j - 2, 1).
-  void AddFolded(const Float8 (&place)[3], const Float8& charge)
+  // A reduced moment (i, j, k), k = 0 or 1, is the sum over the charges of a polynomial F(i, j, k)
+  // of x, y and z: its own monomial and what moments with k >= 2 contribute to it, see
+  // MultiIndex.h. All terms have the degree n = i + j + k, so Euler's theorem on homogeneous
+  // functions gives
+  //
+  //   n F = x dF/dx + y dF/dy + z dF/dz,
+  //
+  // and the derivatives are such polynomials again: F(i - 1, j, k) by x, F(i, j - 1, k) by y, and
+  // by z F(i, j, 0) for k = 1 and -F(i - 2, j, 1) - F(i, j - 2, 1) for k = 0. With this recurrence
+  // each moment takes five or six operations per charge.
+  void AddReduced(const Float8 (&position)[3], const Float8& charge)
   {
     const int order = this->Index.Order;
-    // Over each degree; x, y and z.
-    Float8 over[3][MostOrder + 1];
+    // x, y and z over each degree.
+    Float8 over[3][MaxOrder + 1];
     for (int axis = 0; axis < 3; ++axis)
     {
       for (int n = 1; n <= order; ++n)
       {
-        over[axis][n] = place[axis] * this->Inverse[n];
+        over[axis][n] = position[axis] * this->Inverse[n];
       }
     }
     for (int j = 0; j <= order; ++j)
@@ -103,7 +110,7 @@ private:
       const Float8* oddTwoBelow = this->Row(j - 2, 1);
       Float8* evenSums = this->Sums + this->Index(0, j, 0);
       Float8* oddSums = j < order ? this->Sums + this->Index(0, j, 1) : nullptr;
-      // Of i and i - 1, in registers, since the next wait for them.
+      // F(i, j, 0) and F(i - 1, j, 1) stay in registers: the next ones wait for them.
       Float8 even = j == 0 ? charge : over[1][j] * evenBelow[0] - over[2][j] * oddTwoBelow[0];
       Float8 odd = {};
       for (int i = 0; i + j < order; ++i)
@@ -115,7 +122,6 @@ private:
         this->Row(j, 1)[i] = after;
         evenSums[i] += even;
         oddSums[i] += after;
-        // That of i + 1.
         even = over[0][next] * even +
           (over[1][next] * evenBelow[i + 1] - over[2][next] * (odd + oddTwoBelow[i + 1]));
         odd = after;
@@ -125,25 +131,26 @@ private:
     }
   }
 
-  // The two rows before the first stay zero.
+  // F(0, j, k) and those of larger i; the two rows before j = 0 stay zero.
   Float8* Row(int j, int k) { return this->Polynomials[k][j + 2]; }
 
   const MultiIndex& Index;
-  float Inverse[MostOrder + 1];
-  Float8 Polynomials[2][MostOrder + 3][MostOrder + 1];
-  Float8 Sums[(MostKept + 7) / 8 * 8] = {};
+  float Inverse[MaxOrder + 1];
+  Float8 Polynomials[2][MaxOrder + 3][MaxOrder + 1];
+  Float8 Sums[(MaxReduced + 7) / 8 * 8] = {};
 };
 
-/// Their places from the centre become single precision after the centre is taken off.
+/// P2M: sets the moments of a node's charges. Positions are rounded to floats after the centre is
+/// subtracted.
 inline void MomentsOfLeaf(
-  const MultiIndex& index, const ChargeNode& node, const Charge* charges, float* moments)
+  const MultiIndex& reduced, const ChargeNode& node, const Charge* charges, float* moments)
 {
-  MonomialSums sums(index);
-  double totals[MostKept] = {};
+  MonomialSums sums(reduced);
+  double totals[MaxReduced] = {};
   const double scale = node.Radius > 0.0 ? -1.0 / node.Radius : 0.0;
   for (std::int32_t first = 0; first < node.Count; first += 8)
   {
-    Float8 place[3] = {};
+    Float8 position[3] = {};
     Float8 charge = {};
     for (int lane = 0; lane < std::min(8, node.Count - first); ++lane)
     {
@@ -151,18 +158,19 @@ inline void MomentsOfLeaf(
       charge[lane] = from.Strength;
       for (int axis = 0; axis < 3; ++axis)
       {
-        place[axis][lane] = static_cast<float>(scale * (from.X[axis] - node.Center[axis]));
+        position[axis][lane] =
+          static_cast<float>(scale * (from.Position[axis] - node.Center[axis]));
       }
     }
-    sums.Add(place, charge);
-    // A leaf has many charges only where these are at one place.
+    sums.Add(position, charge);
+    // Floats would lose digits in longer sums, which only leaves of coincident charges have.
     if (first % 64 == 56)
     {
-      sums.MoveTo(totals);
+      sums.FlushTo(totals);
     }
   }
-  sums.MoveTo(totals);
-  std::copy_n(totals, index.Count, moments);
+  sums.FlushTo(totals);
+  std::copy_n(totals, reduced.Count, moments);
 }
 }
 }

@@ -8,94 +8,98 @@
 
 namespace spherepacking
 {
-/// A polynomial about a place: its derivatives there, in a unit of length.
+/// A local expansion: the Taylor polynomial of a field about a centre.
 struct LocalExpansion
 {
   double Center[3];
-  double Unit = 1.0;
-  double Derivatives[MostKept] = {}; ///< in the order of a MultiIndex
+  double Unit = 1.0;                   ///< of length
+  double Derivatives[MaxReduced] = {}; ///< at the centre, by a reduced index
 };
 
-/// A regular grid of places, from the centre of an expansion.
+/// A regular grid of points relative to the centre of an expansion.
 struct LocalGrid
 {
   double First[3];
-  double Step[3];
-  int Count[3]; ///< at most 512 along the first
+  double Spacing[3];
+  int Count[3]; ///< at most 512 along x, where points are computed in single precision
 };
 
 inline namespace SPHEREPACKING_ISA
 {
-/// Adds the same polynomial about another centre and in another unit.
+/// L2L: adds an expansion to one about another centre and in another unit.
 inline void ShiftLocal(
-  const MultiIndex& kept, const MultiIndex& all, const LocalExpansion& from, LocalExpansion& to)
+  const MultiIndex& reduced, const MultiIndex& full, const LocalExpansion& from, LocalExpansion& to)
 {
-  double away[3];
+  double shift[3];
   for (int axis = 0; axis < 3; ++axis)
   {
-    away[axis] = (to.Center[axis] - from.Center[axis]) / from.Unit;
+    shift[axis] = (to.Center[axis] - from.Center[axis]) / from.Unit;
   }
-  double derivatives[MostKept];
-  std::copy_n(from.Derivatives, kept.Count, derivatives);
-  ShiftDerivatives(kept, all, away, derivatives);
-  double shrinks[MostOrder + 1] = { 1.0 };
-  for (int n = 1; n <= kept.Order; ++n)
+  double derivatives[MaxReduced];
+  std::copy_n(from.Derivatives, reduced.Count, derivatives);
+  ShiftDerivatives(reduced, full, shift, derivatives);
+  double ratios[MaxOrder + 1] = { 1.0 };
+  for (int n = 1; n <= reduced.Order; ++n)
   {
-    shrinks[n] = shrinks[n - 1] * (to.Unit / from.Unit);
+    ratios[n] = ratios[n - 1] * (to.Unit / from.Unit);
   }
-  ForEachMonomial(kept, [&](int i, int j, int k, int place)
-    { to.Derivatives[place] += derivatives[place] * shrinks[i + j + k]; });
+  ForEachMonomial(reduced,
+    [&](int i, int j, int k, int n) { to.Derivatives[n] += derivatives[n] * ratios[i + j + k]; });
 }
 
-/// A polynomial with all its derivatives, to be evaluated.
-struct WholeExpansion
+/// A local expansion with the derivatives of a full index, for evaluation.
+struct FullExpansion
 {
   double Unit;
-  double Derivatives[MostMonomials]; ///< over the powers of `Unit`
+  double Derivatives[MaxFull]; ///< times the powers of `Unit`
 };
 
-inline WholeExpansion WholeOf(
-  const MultiIndex& kept, const LocalExpansion& local, const MultiIndex& all)
+inline FullExpansion FullExpansionOf(
+  const MultiIndex& reduced, const LocalExpansion& local, const MultiIndex& full)
 {
-  WholeExpansion whole;
-  whole.Unit = local.Unit;
-  Unfold(kept, local.Derivatives, all, whole.Derivatives);
-  return whole;
+  FullExpansion result;
+  result.Unit = local.Unit;
+  RestoreDerivatives(reduced, local.Derivatives, full, result.Derivatives);
+  return result;
 }
 
-/// Its derivative along an axis.
-inline WholeExpansion DerivativeOf(const MultiIndex& all, const WholeExpansion& whole, int axis)
+/// The expansion of the partial derivative along an axis.
+inline FullExpansion DerivativeOf(const MultiIndex& full, const FullExpansion& expansion, int axis)
 {
-  WholeExpansion result;
-  result.Unit = whole.Unit;
-  ForEachMonomial(all,
-    [&](int i, int j, int k, int place)
+  FullExpansion result;
+  result.Unit = expansion.Unit;
+  ForEachMonomial(full,
+    [&](int i, int j, int k, int n)
     {
-      result.Derivatives[place] = i + j + k == all.Order
+      result.Derivatives[n] = i + j + k == full.Order
         ? 0.0
-        : whole.Derivatives[all(i + (axis == 0), j + (axis == 1), k + (axis == 2))] / whole.Unit;
+        : expansion.Derivatives[full(i + (axis == 0), j + (axis == 1), k + (axis == 2))] /
+          expansion.Unit;
     });
   return result;
 }
 
-/// Calls add(x, y, z, eight values from x on) for all places of the grid, eight at once along x;
-/// those beyond the last mean nothing.
+/// L2P: calls add(x, y, z, values) with the values at eight points from (x, y, z) on along x, until
+/// all points of the grid have had theirs; values beyond the end of a row are to be ignored.
+///
+/// A polynomial in three variables becomes one in x and y for each plane, one in x for each row,
+/// and that is evaluated by Horner's rule: O(p) operations per point.
 template <typename Add>
-inline void ForEachLocalValue(
-  const MultiIndex& all, const WholeExpansion& whole, const LocalGrid& grid, Add add)
+inline void EvaluateLocal(
+  const MultiIndex& full, const FullExpansion& expansion, const LocalGrid& grid, Add add)
 {
-  const int order = all.Order;
+  const int order = full.Order;
   const auto at = [&](int axis, int i)
-  { return (grid.First[axis] + i * grid.Step[axis]) / whole.Unit; };
+  { return (grid.First[axis] + i * grid.Spacing[axis]) / expansion.Unit; };
   for (int z = 0; z < grid.Count[2]; ++z)
   {
-    double plane[MostOrder + 1][MostOrder + 1];
+    double plane[MaxOrder + 1][MaxOrder + 1];
     double power = 1.0;
     for (int k = 0; k <= order; ++k)
     {
       for (int j = 0; j + k <= order; ++j)
       {
-        const double* row = whole.Derivatives + all.Rows[k][j];
+        const double* row = expansion.Derivatives + full.Rows[k][j];
         for (int i = 0; i + j + k <= order; ++i)
         {
           plane[j][i] = k == 0 ? row[i] : plane[j][i] + row[i] * power;
@@ -105,7 +109,7 @@ inline void ForEachLocalValue(
     }
     for (int y = 0; y < grid.Count[1]; ++y)
     {
-      double sums[MostOrder + 1];
+      double sums[MaxOrder + 1];
       power = 1.0;
       for (int j = 0; j <= order; ++j)
       {
@@ -115,7 +119,7 @@ inline void ForEachLocalValue(
         }
         power *= at(1, y) / (j + 1);
       }
-      float line[MostOrder + 1];
+      float line[MaxOrder + 1];
       double factorial = 1.0;
       for (int i = 0; i <= order; ++i)
       {
@@ -123,15 +127,15 @@ inline void ForEachLocalValue(
         factorial *= i + 1;
       }
       const auto first = static_cast<float>(at(0, 0));
-      const auto step = static_cast<float>(grid.Step[0] / whole.Unit);
+      const auto step = static_cast<float>(grid.Spacing[0] / expansion.Unit);
       for (int x = 0; x < grid.Count[0]; x += 8)
       {
-        const Float8 place =
+        const Float8 point =
           first + step * (static_cast<float>(x) + Float8{ 0, 1, 2, 3, 4, 5, 6, 7 });
         Float8 value = Float8{} + line[order];
         for (int i = order; i-- > 0;)
         {
-          value = value * place + line[i];
+          value = value * point + line[i];
         }
         add(x, y, z, value);
       }

@@ -2,22 +2,18 @@
 #include "metaballs/multipole/Moments.h"
 
 #include "base/Dispatch.h"
+#include "metaballs/multipole/MomentsAvx2.h"
 #include "metaballs/multipole/NodeMoments.h"
-
-#if defined(SPHEREPACKING_HAS_AVX2)
-#include "metaballs/SumFieldAvx2.h"
-#endif
 
 namespace spherepacking
 {
 namespace
 {
-// Leaves first; the height of a node is one more than that of its higher child.
+// Nodes by their height: 0 for leaves, else one more than that of the higher child.
 std::vector<std::vector<std::int32_t>> NodesByHeight(const ChargeTree& tree)
 {
   std::vector<std::int32_t> heights(tree.Nodes.size(), 0);
   std::vector<std::vector<std::int32_t>> nodes;
-  // Children come after their parents.
   for (std::size_t i = tree.Nodes.size(); i-- > 0;)
   {
     const std::int32_t child = tree.Nodes[i].Child;
@@ -27,39 +23,26 @@ std::vector<std::vector<std::int32_t>> NodesByHeight(const ChargeTree& tree)
   }
   return nodes;
 }
-
-void Compute(const ChargeTree& tree, const std::int32_t* nodes, int count, ClusterMoments& moments)
-{
-#if defined(SPHEREPACKING_HAS_AVX2)
-  if (HasAvx2())
-  {
-    ComputeMomentsAvx2(tree, nodes, count, moments);
-    return;
-  }
-#endif
-  ComputeMomentsKernel(tree, nodes, count, moments);
-}
 }
 
 //------------------------------------------------------------------------------
 ClusterMoments ComputeMoments(
-  const ChargeTree& tree, const MultiIndex& kept, const ParallelFor& parallelFor)
+  const ChargeTree& tree, const MultiIndex& reduced, const ParallelFor& parallelFor)
 {
   ClusterMoments moments;
-  moments.Kept = kept;
-  moments.All = MultiIndex(kept.Order, kept.Order);
-  moments.Values = HugeArray<float>(tree.Nodes.size() * kept.Count);
-  // Nodes whose children are done, those of a height after another.
-  constexpr std::int64_t part = 32;
+  moments.Reduced = reduced;
+  moments.Full = MultiIndex(reduced.Order, reduced.Order);
+  moments.Values = HugeArray<float>(tree.Nodes.size() * reduced.Count);
+  constexpr std::int64_t together = 32;
   for (const std::vector<std::int32_t>& nodes : NodesByHeight(tree))
   {
     const auto number = static_cast<std::int64_t>(nodes.size());
-    parallelFor((number + part - 1) / part,
+    parallelFor((number + together - 1) / together,
       [&](std::int64_t i)
       {
-        const std::int64_t first = i * part;
-        Compute(
-          tree, nodes.data() + first, static_cast<int>(std::min(part, number - first)), moments);
+        const std::int64_t first = i * together;
+        SPHEREPACKING_DISPATCH(SetMoments)
+        (tree, nodes.data() + first, static_cast<int>(std::min(together, number - first)), moments);
       });
   }
   return moments;

@@ -8,27 +8,28 @@ namespace spherepacking
 {
 inline namespace SPHEREPACKING_ISA
 {
-/// Eight clusters of charges that act on one place. Those beyond `Count` have no charge.
-struct Clusters
+/// Eight clusters whose moments are translated into one local expansion together, one per lane.
+struct ClusterBatch
 {
-  int Count = 0;
+  int Count = 0; ///< of lanes in use
   const float* Moments[8];
-  float X[8]; ///< of the unit vector from the cluster's centre to the place
+  float X[8]; ///< of the unit vector from the cluster's centre to that of the expansion
   float Y[8];
   float Z[8];
-  float InverseDistance[8];
-  float Shrink[8]; ///< the cluster's radius, the unit of its moments, over the distance
+  float InverseDistance[8]; ///< of the centres
+  float RadiusRatio[8];     ///< the cluster's radius, the unit of its moments, over the distance
 };
 
-/// sums[n] += sum over m of derivatives[n + m] moments[m], for all n + m <= Degree.
+/// sums[n] += sum over m of derivatives[n + m] moments[m], for all n + m <= Degree: a correlation,
+/// with the sums in registers.
 template <int Degree>
 inline void Correlate(const Float8* derivatives, const Float8* moments, Float8* sums)
 {
-  Float8 kept[Degree + 1];
+  Float8 totals[Degree + 1];
 #pragma GCC unroll 16
   for (int n = 0; n <= Degree; ++n)
   {
-    kept[n] = sums[n];
+    totals[n] = sums[n];
   }
 #pragma GCC unroll 16
   for (int m = 0; m <= Degree; ++m)
@@ -37,13 +38,13 @@ inline void Correlate(const Float8* derivatives, const Float8* moments, Float8* 
 #pragma GCC unroll 16
     for (int n = 0; n <= Degree - m; ++n)
     {
-      kept[n] += derivatives[n + m] * moment;
+      totals[n] += derivatives[n + m] * moment;
     }
   }
 #pragma GCC unroll 16
   for (int n = 0; n <= Degree; ++n)
   {
-    sums[n] = kept[n];
+    sums[n] = totals[n];
   }
 }
 
@@ -82,65 +83,65 @@ inline void Correlate(int degree, const Float8* derivatives, const Float8* momen
     case 14:
       return Correlate<14>(derivatives, moments, sums);
     default:
-      return Correlate<MostOrder>(derivatives, moments, sums);
+      return Correlate<MaxOrder>(derivatives, moments, sums);
   }
 }
 
-/// Adds the fields of eight clusters to an expansion about one place, up to a total degree.
+/// M2L: adds the fields of eight clusters to a local expansion, whose eight lanes are to be summed.
 ///
-/// Moments and expansion have coefficients up to the degree of `full`, of which those up to the
-/// degree of `index` are used. `unit` is the length by which the expansion's monomials are divided.
-/// Lengths are divided out before anything is raised to a power: neither small nor large clusters
+/// Moments and expansion are stored by `stored`; of their coefficients those up to the order of
+/// `index` are used. `unit` is the length by which the expansion's monomials are divided. Ratios of
+/// lengths are formed before anything is raised to a power, so neither small nor large clusters
 /// leave the range of single precision.
 template <int Power>
-inline void TranslateMoments(const MultiIndex& full, const TranslationIndex& index,
-  const Clusters& clusters, float unit, Float8* expansion)
+inline void MomentsToLocal(const MultiIndex& stored, const TranslationIndex& index,
+  const ClusterBatch& clusters, float unit, Float8* expansion)
 {
-  Float8 derivatives[MostSums + 1];
+  Float8 derivatives[MaxSums + 1];
   PowerDerivatives(index, Load<Float8>(clusters.X), Load<Float8>(clusters.Y),
     Load<Float8>(clusters.Z), derivatives);
 
-  const int order = index.Kept.Order;
-  const int top = index.Kept.Top;
+  const int order = index.Reduced.Order;
+  const int zDegree = index.Reduced.ZDegree;
   const Float8 inverse = Load<Float8>(clusters.InverseDistance);
-  const Float8 shrink = Load<Float8>(clusters.Shrink);
-  Float8 shrinks[MostOrder + 1];
-  Float8 grows[MostOrder + 1];
-  shrinks[0] = Float8{} + 1.0f;
-  grows[0] = Power == 1 ? inverse : inverse * inverse;
+  const Float8 ratio = Load<Float8>(clusters.RadiusRatio);
+  Float8 ratios[MaxOrder + 1];
+  Float8 factors[MaxOrder + 1];
+  ratios[0] = Float8{} + 1.0f;
+  factors[0] = Power == 1 ? inverse : inverse * inverse;
   for (int n = 1; n <= order; ++n)
   {
-    shrinks[n] = shrinks[n - 1] * shrink;
-    grows[n] = grows[n - 1] * (inverse * unit);
+    ratios[n] = ratios[n - 1] * ratio;
+    factors[n] = factors[n - 1] * (inverse * unit);
   }
 
-  Float8 moments[MostKept];
-  ForEachMonomial(index.Kept,
-    [&](int i, int j, int k, int place)
+  Float8 moments[MaxReduced];
+  ForEachMonomial(index.Reduced,
+    [&](int i, int j, int k, int n)
     {
-      const int at = full(i, j, k);
-      moments[place] = shrinks[i + j + k] * Gather(clusters.Moments, at);
+      const int at = stored(i, j, k);
+      moments[n] = ratios[i + j + k] * Gather(clusters.Moments, at);
     });
 
-  for (int k = 0; k <= top; ++k)
+  for (int k = 0; k <= zDegree; ++k)
   {
     for (int j = 0; j + k <= order; ++j)
     {
-      const int most = order - j - k;
-      Float8 sums[MostOrder + 1];
-      std::fill_n(sums, most + 1, Float8{});
-      for (int c = 0; c <= std::min(top, most); ++c)
+      const int maxI = order - j - k;
+      Float8 sums[MaxOrder + 1];
+      std::fill_n(sums, maxI + 1, Float8{});
+      for (int c = 0; c <= std::min(zDegree, maxI); ++c)
       {
-        for (int b = 0; b + c <= most; ++b)
+        for (int b = 0; b + c <= maxI; ++b)
         {
-          Correlate(most - b - c, derivatives + index.Sums.Rows[k + c][j + b],
-            moments + index.Kept.Rows[c][b], sums);
+          Correlate(maxI - b - c, derivatives + index.Derivatives.Rows[k + c][j + b],
+            moments + index.Reduced.Rows[c][b], sums);
         }
       }
-      Float8* row = expansion + full.Rows[k][j];
-      for (int i = 0; i <= most; ++i)
+      Float8* row = expansion + stored.Rows[k][j];
+      for (int i = 0; i <= maxI; ++i)
       {
-        row[i] += grows[i + j + k] * sums[i];
+        row[i] += factors[i + j + k] * sums[i];
       }
     }
   }

@@ -1,52 +1,56 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// Coefficients of polynomials in three variables, and which of them are kept.
+/// Multi-indices (i, j, k) of polynomials in three variables: which coefficients are stored, and
+/// where.
 ///
-/// Taylor's series of q / d about the places of charges and about those of a grid have terms
-/// moment(i, j, k) times the derivative of 1 / d by x^i y^j z^k. As 1 / d obeys Laplace's equation,
+/// The Taylor series of q / d about the centre of a cluster and about that of a block of points
+/// have terms moment(i, j, k) times the derivative of 1 / d by x^i y^j z^k. As 1 / d is harmonic,
 ///
 ///   d^2/dz^2 = -d^2/dx^2 - d^2/dy^2,
 ///
-/// derivatives with k >= 2 follow from the others, and a moment with k >= 2 may be added, with the
-/// sign changed, to those at (i + 2, j, k - 2) and (i, j + 2, k - 2). So only those with k <= 1 are
-/// kept, (p + 1)^2 for the order p in place of (p + 1) (p + 2) (p + 3) / 6. For q / d^2 all are.
+/// derivatives with k >= 2 follow from those with k <= 1, and a moment with k >= 2 may be
+/// subtracted from those at (i + 2, j, k - 2) and (i, j + 2, k - 2) instead of being stored. A
+/// reduced index has k <= 1 alone, (p + 1)^2 coefficients for the order p; a full index has all (p
+/// + 1) (p + 2) (p + 3) / 6. As 1 / d^2 is not harmonic, both are the same for that.
 ///
 /// Source: Hinsen and Felderhof, "Reduced description of electric multipole potential in Cartesian
 /// coordinates" (1992).
 #ifndef MultiIndex_h
 #define MultiIndex_h
 
+#include "base/Simd.h"
+
 #include <algorithm>
 
 namespace spherepacking
 {
-/// Largest total degree of the expansions of a field that falls with a power of the distance.
-constexpr int MostOrderOf(int power)
+/// Highest order, which is the total degree, of the expansions of a field that falls with d^-power.
+constexpr int MaxOrderOf(int power)
 {
   return power == 1 ? 15 : 9;
 }
 
-/// Largest exponent of z that is kept there.
-constexpr int TopOf(int power, int order)
+/// Highest degree in z of its reduced expansions.
+constexpr int ZDegreeOf(int power, int order)
 {
   return power == 1 ? std::min(1, order) : order;
 }
 
-constexpr int MostOrder = std::max(MostOrderOf(1), MostOrderOf(2));
+constexpr int MaxOrder = std::max(MaxOrderOf(1), MaxOrderOf(2));
 
-/// Where the coefficient of x^i y^j z^k lies, for i + j + k <= Order and k <= Top: those of equal j
-/// and k side by side, by i.
+/// Position of the coefficient of x^i y^j z^k in an array, for i + j + k <= Order and k <= ZDegree:
+/// rows of equal j and k, by i.
 struct MultiIndex
 {
   int Order = 0;
-  int Top = 0;
+  int ZDegree = 0;
   int Count = 0;
-  int Rows[MostOrder + 1][MostOrder + 1] = {}; ///< of k and j, where i = 0 lies
+  int Rows[MaxOrder + 1][MaxOrder + 1] = {}; ///< positions of (0, j, k), by k and j
 
-  constexpr MultiIndex(int order, int top)
+  constexpr MultiIndex(int order, int zDegree)
     : Order(order)
-    , Top(std::min(top, order))
+    , ZDegree(std::min(zDegree, order))
   {
-    for (int k = 0; k <= this->Top; ++k)
+    for (int k = 0; k <= this->ZDegree; ++k)
     {
       for (int j = 0; j + k <= order; ++j)
       {
@@ -56,36 +60,37 @@ struct MultiIndex
     }
   }
 
-  constexpr __attribute__((always_inline)) int operator()(int i, int j, int k) const
+  constexpr SPHEREPACKING_INLINE int operator()(int i, int j, int k) const
   {
     return this->Rows[k][j] + i;
   }
 };
 
-constexpr int CountMonomials(int order, int top)
+constexpr int CountMonomials(int order, int zDegree)
 {
-  return MultiIndex(order, top).Count;
+  return MultiIndex(order, zDegree).Count;
 }
 
-/// Sizes of the largest: of those that are kept, of their sums, of all.
-constexpr int MostKept =
-  std::max(CountMonomials(MostOrderOf(1), 1), CountMonomials(MostOrderOf(2), MostOrderOf(2)));
-constexpr int MostSums =
-  std::max(CountMonomials(MostOrderOf(1), 2), CountMonomials(MostOrderOf(2), MostOrderOf(2)));
-constexpr int MostMonomials = CountMonomials(MostOrder, MostOrder);
+/// Most coefficients of a reduced index, of all sums of two multi-indices of a reduced index, and
+/// of a full index.
+constexpr int MaxReduced =
+  std::max(CountMonomials(MaxOrderOf(1), 1), CountMonomials(MaxOrderOf(2), MaxOrderOf(2)));
+constexpr int MaxSums =
+  std::max(CountMonomials(MaxOrderOf(1), 2), CountMonomials(MaxOrderOf(2), MaxOrderOf(2)));
+constexpr int MaxFull = CountMonomials(MaxOrder, MaxOrder);
 
-/// Calls visit(i, j, k, place) for all coefficients in the order in which they lie.
+/// Calls visit(i, j, k, position) for all coefficients, by position.
 template <typename Visit>
-inline __attribute__((always_inline)) void ForEachMonomial(const MultiIndex& index, Visit visit)
+SPHEREPACKING_INLINE void ForEachMonomial(const MultiIndex& index, Visit visit)
 {
-  int place = 0;
-  for (int k = 0; k <= index.Top; ++k)
+  int position = 0;
+  for (int k = 0; k <= index.ZDegree; ++k)
   {
     for (int j = 0; j + k <= index.Order; ++j)
     {
       for (int i = 0; i + j + k <= index.Order; ++i)
       {
-        visit(i, j, k, place++);
+        visit(i, j, k, position++);
       }
     }
   }

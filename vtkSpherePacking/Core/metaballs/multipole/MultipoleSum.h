@@ -1,10 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
+/// The fast multipole method.
+///
+/// The points of a grid and the charges both form trees, blocks of points and clusters of charges,
+/// which are traversed together. A cluster that is far enough from a block for the wanted error is
+/// translated into a local expansion about the block's middle (M2L), which passes down to the
+/// block's halves (L2L). Of a cluster that is too near, the larger of the two is split: the cluster
+/// is opened, or the block hands it to its halves. At the smallest blocks the expansion is
+/// evaluated (L2P), and what is still near is summed directly (P2P).
+///
+/// Sources: Greengard and Rokhlin, "A fast algorithm for particle simulations" (1987); Dehnen, "A
+/// hierarchical O(N) force calculation algorithm" (2002), for Cartesian expansions and the
+/// traversal of both trees.
 #ifndef MultipoleSum_h
 #define MultipoleSum_h
 
+#include "base/LocalVector.h"
 #include "metaballs/field/BlockSum.h"
 #include "metaballs/multipole/ClusterQueues.h"
-#include "base/LocalVector.h"
 #include "metaballs/multipole/TruncationError.h"
 
 #include <memory>
@@ -13,54 +25,57 @@ namespace spherepacking
 {
 inline namespace SPHEREPACKING_ISA
 {
-/// Sums the field of an inverse kernel over parts of a grid, through the tree of charges.
-///
-/// A block of the grid and the nodes of the tree that are far enough from it for the wanted error
-/// meet in an expansion about the block's middle, which is handed down to the block's halves. Nodes
-/// that are too near are opened, or left to the halves, whichever is the larger; what is left for
-/// the smallest blocks is summed charge by charge.
+/// Sums the field of an inverse kernel over blocks of a grid.
 template <int Power>
-class FieldSummer
+class MultipoleSum
 {
 public:
-  explicit FieldSummer(const FieldScene& scene)
-    : Scene(scene)
-    , Kept(scene.Moments.Kept)
+  /// All of these have to outlive this; the tree is not empty.
+  MultipoleSum(const FieldGrid& grid, const ChargeTree& tree, const Multipoles& multipoles)
+    : Grid(grid)
+    , Tree(tree)
+    , Expansions(multipoles)
+    , Reduced(multipoles.Moments.Reduced)
+    , Full(multipoles.Moments.Full)
     , Sum(new BlockSum<InverseBlob<Power>>)
   {
   }
 
+  /// Sets the grid's arrays at the points of a block.
   void Run(const FieldBlock& block) { this->Visit(block, { 0 }, nullptr); }
 
 private:
   using Nodes = LocalVector<std::int32_t>;
 
-  // Of charges and places, before a block is halved; each pair takes a fraction of a nanosecond.
-  static constexpr std::int64_t MostPairs = 2000000;
-  static constexpr int LeastPlaces = 8;
+  // A block with at most so many pairs of charges and points in the near field is not halved any
+  // more; a pair takes a fraction of a nanosecond.
+  static constexpr std::int64_t MaxPairs = 2000000;
+  static constexpr int MinPoints = 8;
 
+  // Sums over the clusters `nodes` in a block; the rest is in the expansion `above`, if there is
+  // one.
   void Visit(const FieldBlock& block, const Nodes& nodes, const LocalExpansion* above)
   {
     LocalExpansion local;
     const double radius = this->BallOf(block, local.Center);
-    // Of a single place no derivatives above the first matter: they vanish in this unit.
+    // At a single point derivatives above the first do not matter: they vanish in this unit.
     local.Unit = radius > 0.0 ? radius : 1e-20;
-    ClusterQueues<Power> queues(this->Scene, local.Unit);
+    ClusterQueues<Power> queues(this->Tree, this->Expansions, local.Unit);
     Nodes near;
     this->Open = nodes;
-    this->Sort(local.Center, radius, radius, queues, near);
+    this->QueueFar(local.Center, radius, radius, queues, near);
     const bool last = this->IsLast(block, near);
     if (last)
     {
-      // All the way to the leaves.
+      // Opens all clusters that are near, down to the leaves.
       this->Open.swap(near);
       near.clear();
-      this->Sort(local.Center, radius, -1.0, queues, near);
+      this->QueueFar(local.Center, radius, -1.0, queues, near);
     }
-    queues.AddTo(local);
+    queues.FlushTo(local);
     if (above)
     {
-      ShiftLocal(this->Kept, this->Scene.Moments.All, *above, local);
+      ShiftLocal(this->Reduced, this->Full, *above, local);
     }
     if (last)
     {
@@ -84,79 +99,82 @@ private:
     std::int64_t charges = 0;
     for (const std::int32_t node : near)
     {
-      charges += this->Scene.Tree.Nodes[node].Count;
+      charges += this->Tree.Nodes[node].Count;
     }
-    const int places = block.Places();
-    return FitsBlockSum(block) && (charges * places <= MostPairs || places <= LeastPlaces);
+    const int points = block.Points();
+    return FitsBlockSum(block) && (charges * points <= MaxPairs || points <= MinPoints);
   }
 
+  // Sets the centre of a block and returns the radius of the ball around its points.
   double BallOf(const FieldBlock& block, double (&center)[3]) const
   {
     double square = 0.0;
     for (int axis = 0; axis < 3; ++axis)
     {
-      const double low = this->Scene.Grid.At(axis, block.First[axis]);
-      const double high = this->Scene.Grid.At(axis, block.First[axis] + block.Count[axis] - 1);
+      const double low = this->Grid.At(axis, block.First[axis]);
+      const double high = this->Grid.At(axis, block.First[axis] + block.Count[axis] - 1);
       center[axis] = 0.5 * (low + high);
       square += 0.25 * (high - low) * (high - low);
     }
     return std::sqrt(square);
   }
 
-  // Halves along the side that is longest in space. Rows along x that have become as short as is
-  // summed at once are cut only where they are much longer than the other sides.
+  // Halves along the longest side in space. Rows along x that fit into a vector are cut only where
+  // they are much longer than the other sides.
   void Halve(const FieldBlock& block, FieldBlock (&halves)[2]) const
   {
     int longest = 0;
-    double most = -1.0;
+    double longestLength = -1.0;
     for (int axis = 0; axis < 3; ++axis)
     {
-      const bool row = axis == 0 && block.Count[0] <= MostBlockWidth;
+      const bool fitsVector = axis == 0 && block.Count[0] <= MaxBlockWidth;
       const double length =
-        (block.Count[axis] - 1) * this->Scene.Grid.Spacing[axis] * (row ? 0.25 : 1.0);
-      if (block.Count[axis] > 1 && length >= most)
+        (block.Count[axis] - 1) * this->Grid.Spacing[axis] * (fitsVector ? 0.25 : 1.0);
+      if (block.Count[axis] > 1 && length >= longestLength)
       {
-        most = length;
+        longestLength = length;
         longest = axis;
       }
     }
     const int count = block.Count[longest];
-    const int first = count > MostBlockWidth
-      ? (count / 2 + MostBlockWidth - 1) / MostBlockWidth * MostBlockWidth
+    const int first = count > MaxBlockWidth
+      ? (count / 2 + MaxBlockWidth - 1) / MaxBlockWidth * MaxBlockWidth
       : (count + 1) / 2;
     halves[0].Count[longest] = first;
     halves[1].First[longest] += first;
     halves[1].Count[longest] = count - first;
   }
 
-  // Queues the nodes of `Open` that are far enough from the ball of a block. Others are opened if
-  // their own radius is above `openAbove` and they are no leaves; the rest is near.
-  void Sort(const double (&center)[3], double radius, double openAbove,
+  // Queues the clusters of `Open` that are far enough from the ball of a block, see
+  // TruncationError.h. Others are opened if their radius is above `openAbove` and they are no
+  // leaves; the rest is near.
+  void QueueFar(const double (&center)[3], double radius, double openAbove,
     ClusterQueues<Power>& queues, Nodes& near)
   {
     while (!this->Open.empty())
     {
       const std::int32_t at = this->Open.back();
       this->Open.pop_back();
-      const ChargeNode& node = this->Scene.Tree.Nodes[at];
-      double away[3];
+      const ChargeNode& node = this->Tree.Nodes[at];
+      double direction[3];
       double square = 0.0;
       for (int axis = 0; axis < 3; ++axis)
       {
-        away[axis] = center[axis] - node.Center[axis];
-        square += away[axis] * away[axis];
+        direction[axis] = center[axis] - node.Center[axis];
+        square += direction[axis] * direction[axis];
       }
       const double distance = std::sqrt(square);
-      // The kernel has to be the same at all these distances.
-      if (distance - radius - node.Radius > InverseBlob<Power>::Core * node.MostRadius)
+      // The expansion knows nothing of the kernel's constant core.
+      if (distance - radius - node.Radius > InverseBlob<Power>::Core * node.MaxRadius)
       {
         const double inverse = 1.0 / distance;
         const Separation separation{ radius * inverse, node.Radius * inverse,
           node.MeanRadius * inverse };
-        const int order = OrderFor<Power>(separation, this->Scene.Error, this->Kept.Order);
-        if (order <= this->Kept.Order)
+        const int order =
+          OrderFor<Power>(separation, this->Expansions.TruncationError, this->Reduced.Order);
+        if (order <= this->Reduced.Order)
         {
-          queues.Add(at, away, inverse, order);
+          queues.Add(at, direction, inverse, order);
           continue;
         }
       }
@@ -172,46 +190,44 @@ private:
     }
   }
 
+  // L2P and P2P.
   void Write(const FieldBlock& block, const LocalExpansion& local, const Nodes& near)
   {
-    const FieldGrid& grid = this->Scene.Grid;
-    const MultiIndex& all = this->Scene.Moments.All;
-    const WholeExpansion whole = WholeOf(this->Kept, local, all);
-    this->WriteLocal(block, local.Center, whole, grid.Field, 1);
-    for (int axis = 0; grid.Gradient && axis < 3; ++axis)
+    const FullExpansion expansion = FullExpansionOf(this->Reduced, local, this->Full);
+    this->Evaluate(block, local.Center, expansion, this->Grid.Field, 1);
+    for (int axis = 0; this->Grid.Gradient && axis < 3; ++axis)
     {
-      this->WriteLocal(
-        block, local.Center, DerivativeOf(all, whole, axis), grid.Gradient + axis, 3);
+      this->Evaluate(block, local.Center, DerivativeOf(this->Full, expansion, axis),
+        this->Grid.Gradient + axis, 3);
     }
     if (!near.empty())
     {
-      this->Sum->Begin(grid, block, this->Scene.Estimate);
+      this->Sum->Begin(this->Grid, block, this->Expansions.Estimate);
       for (const std::int32_t at : near)
       {
-        const ChargeNode& node = this->Scene.Tree.Nodes[at];
+        const ChargeNode& node = this->Tree.Nodes[at];
         this->Sum->Add(
-          this->Scene.Tree.Charges.data() + node.First, node.Count, node.Center, node.Radius);
+          this->Tree.Charges.data() + node.First, node.Count, node.Center, node.Radius);
       }
       this->Sum->End();
     }
   }
 
-  void WriteLocal(const FieldBlock& block, const double (&center)[3], const WholeExpansion& whole,
+  void Evaluate(const FieldBlock& block, const double (&center)[3], const FullExpansion& expansion,
     float* values, int stride) const
   {
-    const FieldGrid& grid = this->Scene.Grid;
-    LocalGrid places;
+    LocalGrid points;
     for (int axis = 0; axis < 3; ++axis)
     {
-      places.First[axis] = grid.At(axis, block.First[axis]) - center[axis];
-      places.Step[axis] = grid.Spacing[axis];
-      places.Count[axis] = block.Count[axis];
+      points.First[axis] = this->Grid.At(axis, block.First[axis]) - center[axis];
+      points.Spacing[axis] = this->Grid.Spacing[axis];
+      points.Count[axis] = block.Count[axis];
     }
-    ForEachLocalValue(this->Scene.Moments.All, whole, places,
+    EvaluateLocal(this->Full, expansion, points,
       [&](int x, int y, int z, const Float8& value)
       {
-        float* to =
-          values + stride * grid.Place(block.First[0] + x, block.First[1] + y, block.First[2] + z);
+        float* to = values +
+          stride * this->Grid.Index(block.First[0] + x, block.First[1] + y, block.First[2] + z);
         const int count = std::min(8, block.Count[0] - x);
         for (int i = 0; i < count; ++i)
         {
@@ -220,9 +236,12 @@ private:
       });
   }
 
-  const FieldScene& Scene;
-  const MultiIndex& Kept;
-  Nodes Open;
+  const FieldGrid& Grid;
+  const ChargeTree& Tree;
+  const Multipoles& Expansions;
+  const MultiIndex& Reduced;
+  const MultiIndex& Full;
+  Nodes Open; // clusters to be tested
   std::unique_ptr<BlockSum<InverseBlob<Power>>> Sum;
 };
 }

@@ -9,17 +9,17 @@ namespace spherepacking
 {
 inline namespace SPHEREPACKING_ISA
 {
-/// Sets the moments of up to eight nodes from those of their children.
+/// M2M: sets the moments of up to eight nodes from those of their children, a node per lane.
 inline void MomentsOfChildren(
   const ChargeTree& tree, const std::int32_t* nodes, int count, ClusterMoments& moments)
 {
-  const MultiIndex& kept = moments.Kept;
-  Float8 sums[MostKept] = {};
+  const MultiIndex& reduced = moments.Reduced;
+  Float8 sums[MaxReduced] = {};
   for (int child = 0; child < 2; ++child)
   {
-    Float8 shifted[MostKept];
-    Float8 away[3] = {};
-    Float8 shrink = {};
+    Float8 shifted[MaxReduced];
+    Float8 shift[3] = {};
+    Float8 ratio = {}; // of the child's radius to the node's, the units of their moments
     const float* from[8] = {};
     for (int lane = 0; lane < 8; ++lane)
     {
@@ -28,37 +28,37 @@ inline void MomentsOfChildren(
       const double scale = whole.Radius > 0.0 ? 1.0 / whole.Radius : 0.0;
       for (int axis = 0; axis < 3; ++axis)
       {
-        away[axis][lane] = static_cast<float>(scale * (whole.Center[axis] - part.Center[axis]));
+        shift[axis][lane] = static_cast<float>(scale * (whole.Center[axis] - part.Center[axis]));
       }
-      shrink[lane] = static_cast<float>(scale * part.Radius);
+      ratio[lane] = static_cast<float>(scale * part.Radius);
       from[lane] = moments[whole.Child + child];
     }
-    Float8 shrinks[MostOrder + 1];
-    shrinks[0] = Float8{} + 1.0f;
-    for (int n = 1; n <= kept.Order; ++n)
+    Float8 ratios[MaxOrder + 1];
+    ratios[0] = Float8{} + 1.0f;
+    for (int n = 1; n <= reduced.Order; ++n)
     {
-      shrinks[n] = shrinks[n - 1] * shrink;
+      ratios[n] = ratios[n - 1] * ratio;
     }
-    ForEachMonomial(kept,
-      [&](int i, int j, int k, int at) { shifted[at] = shrinks[i + j + k] * Gather(from, at); });
-    ShiftMoments(kept, moments.All, away, shifted);
-    for (int place = 0; place < kept.Count; ++place)
+    ForEachMonomial(reduced,
+      [&](int i, int j, int k, int n) { shifted[n] = ratios[i + j + k] * Gather(from, n); });
+    ShiftMoments(reduced, moments.Full, shift, shifted);
+    for (int n = 0; n < reduced.Count; ++n)
     {
-      sums[place] += shifted[place];
+      sums[n] += shifted[n];
     }
   }
   for (int lane = 0; lane < count; ++lane)
   {
     float* to = moments[nodes[lane]];
-    for (int place = 0; place < kept.Count; ++place)
+    for (int n = 0; n < reduced.Count; ++n)
     {
-      to[place] = sums[place][lane];
+      to[n] = sums[n][lane];
     }
   }
 }
 
-/// Sets the moments of nodes that are all leaves, or all of which have children that are done.
-inline void ComputeMomentsKernel(
+/// Sets the moments of nodes that are all leaves, or that all have children whose moments are set.
+inline void SetMomentsImpl(
   const ChargeTree& tree, const std::int32_t* nodes, int count, ClusterMoments& moments)
 {
   if (tree.Nodes[nodes[0]].Child >= 0)
@@ -71,7 +71,7 @@ inline void ComputeMomentsKernel(
   }
   for (int i = 0; i < count; ++i)
   {
-    MomentsOfLeaf(moments.Kept, tree.Nodes[nodes[i]], tree.Charges.data(), moments[nodes[i]]);
+    MomentsOfLeaf(moments.Reduced, tree.Nodes[nodes[i]], tree.Charges.data(), moments[nodes[i]]);
   }
 }
 }

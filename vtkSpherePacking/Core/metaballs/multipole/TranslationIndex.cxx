@@ -7,19 +7,19 @@ namespace
 {
 DerivativeStep StepTo(const MultiIndex& index, int power, int i, int j, int k)
 {
-  const auto place = [&](int a, int b, int c)
+  const auto position = [&](int a, int b, int c)
   { return a < 0 || b < 0 || c < 0 ? index.Count : index(a, b, c); };
   const auto n = static_cast<float>(i + j + k);
   const auto v = static_cast<float>(power);
   DerivativeStep step;
-  step.First = -(2.0f * n + v - 2.0f) / n;
-  step.Second = -(n + v - 2.0f) / n;
-  step.To = place(i, j, k);
+  step.FirstFactor = -(2.0f * n + v - 2.0f) / n;
+  step.SecondFactor = -(n + v - 2.0f) / n;
+  step.To = position(i, j, k);
   for (int axis = 0; axis < 3; ++axis)
   {
-    const int less[3] = { axis == 0, axis == 1, axis == 2 };
-    step.One[axis] = place(i - less[0], j - less[1], k - less[2]);
-    step.Two[axis] = place(i - 2 * less[0], j - 2 * less[1], k - 2 * less[2]);
+    const int unit[3] = { axis == 0, axis == 1, axis == 2 };
+    step.OneLess[axis] = position(i - unit[0], j - unit[1], k - unit[2]);
+    step.TwoLess[axis] = position(i - 2 * unit[0], j - 2 * unit[1], k - 2 * unit[2]);
   }
   return step;
 }
@@ -32,20 +32,20 @@ float Factorial(int n)
 
 //------------------------------------------------------------------------------
 TranslationIndex::TranslationIndex(int power, int order)
-  : Kept(order, TopOf(power, order))
-  , Sums(order, 2 * this->Kept.Top)
+  : Reduced(order, ZDegreeOf(power, order))
+  , Derivatives(order, 2 * this->Reduced.ZDegree)
 {
   for (int degree = 1; degree <= order; ++degree)
   {
-    for (int k = 0; k <= std::min(degree, this->Sums.Top); ++k)
+    for (int k = 0; k <= std::min(degree, this->Derivatives.ZDegree); ++k)
     {
       for (int j = 0; j + k <= degree; ++j)
       {
-        this->Steps.push_back(StepTo(this->Sums, power, degree - j - k, j, k));
+        this->Steps.push_back(StepTo(this->Derivatives, power, degree - j - k, j, k));
       }
     }
   }
-  ForEachMonomial(this->Sums, [this](int i, int j, int k, int)
+  ForEachMonomial(this->Derivatives, [this](int i, int j, int k, int)
     { this->Factorials.push_back(Factorial(i) * Factorial(j) * Factorial(k)); });
 }
 }

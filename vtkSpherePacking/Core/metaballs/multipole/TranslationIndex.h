@@ -8,31 +8,32 @@
 
 namespace spherepacking
 {
-/// Sets the coefficient T[To] of a Taylor series to First times the sum of x, y and z times those
-/// at One, plus Second times the sum of those at Two.
+/// A step of the recurrence for the Taylor coefficients T of |R|^-power about a vector (x, y, z):
+/// T[To] = FirstFactor (x T[OneLess[0]] + y T[OneLess[1]] + z T[OneLess[2]]) + SecondFactor
+/// (T[TwoLess[0]] + T[TwoLess[1]] + T[TwoLess[2]]).
 struct DerivativeStep
 {
-  float First;
-  float Second;
+  float FirstFactor;
+  float SecondFactor;
   int To;
-  int One[3];
-  int Two[3];
+  int OneLess[3]; ///< positions where the exponent of an axis is lower by one; by two:
+  int TwoLess[3];
 };
 
-/// What translations to some order need to know, of a field that falls with |R|^-power.
+/// Tables for M2L translations of an order in a field that falls with |R|^-power.
 struct TranslationIndex
 {
-  MultiIndex Kept; ///< of moments and expansions
-  MultiIndex Sums; ///< of derivatives: all exponents that are sums of two that are kept
+  MultiIndex Reduced;     ///< of moments and local expansions
+  MultiIndex Derivatives; ///< of |R|^-power: all sums of two multi-indices of `Reduced`
 
-  /// How Taylor's series of |R|^-power about a unit vector follows from its first coefficient, 1.
-  /// Those that there are not lie behind the last, and are to be 0.
+  /// From the coefficient T[0] = 1 at a unit vector to all others. Coefficients with a negative
+  /// exponent are 0; their position is the one behind the last.
   ///
-  /// The recurrence is that of the Gegenbauer polynomials taken apart into monomials.
+  /// The recurrence is that of the Gegenbauer polynomials, separated into monomials.
   /// Source: Lindsay and Krasny, "A particle method and adaptive treecode for vortex sheet motion
   /// in three-dimensional flow" (2001).
   std::vector<DerivativeStep> Steps;
-  std::vector<float> Factorials; ///< derivatives over coefficients, i! j! k!
+  std::vector<float> Factorials; ///< i! j! k!, from Taylor coefficients to derivatives
 
   TranslationIndex(int power, int order);
 };
