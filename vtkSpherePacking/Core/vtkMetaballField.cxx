@@ -137,7 +137,7 @@ spherepacking::GridRequest vtkMetaballField::Request() const
 }
 
 //------------------------------------------------------------------------------
-void vtkMetaballField::Check() const
+void vtkMetaballField::CheckOptions() const
 {
   spherepacking::CheckGridRequest(this->Request());
   if (this->Count < 0)
@@ -167,7 +167,7 @@ int vtkMetaballField::RequestInformation(
   GridGeometry grid{ {}, { 1.0, 1.0, 1.0 }, { 1, 1, 1 } };
   const auto work = [&]
   {
-    this->Check();
+    this->CheckOptions();
     this->GetInputAlgorithm()->Update();
     vtkPolyData* packing = vtkPolyData::SafeDownCast(this->GetInput());
     grid = this->FindGrid(packing, spherepacking::RadiiOf(packing, this->RadiusArrayName));
@@ -218,7 +218,7 @@ int vtkMetaballField::RequestData(
   vtkImageData* output = vtkImageData::GetData(outputs);
   const auto work = [&]
   {
-    this->Check();
+    this->CheckOptions();
     vtkPolyData* packing = vtkPolyData::GetData(inputs[0]);
     vtkDataArray* radii = spherepacking::RadiiOf(packing, this->RadiusArrayName);
     if (packing->GetNumberOfPoints() > VTK_INT_MAX)
@@ -232,7 +232,7 @@ int vtkMetaballField::RequestData(
     output->SetDimensions(grid.Dimensions);
     output->SetOrigin(grid.Origin);
     output->SetSpacing(grid.Spacing);
-    this->Make(charges, grid, colors, output);
+    this->FillOutput(charges, grid, colors, output);
     // Else the executive would discard the blocks that are done.
     this->SetAbortOutput(false);
   };
@@ -291,7 +291,7 @@ FieldScene vtkMetaballField::Prepare(const PackingCharges& charges, const GridGe
 }
 
 //------------------------------------------------------------------------------
-bool vtkMetaballField::Run(const FieldScene& scene, Blocks blocks, double from, double to)
+bool vtkMetaballField::SumBlocks(const FieldScene& scene, Blocks blocks, double from, double to)
 {
   Stopwatch sinceLast;
   bool stopped = false;
@@ -320,7 +320,7 @@ bool vtkMetaballField::Run(const FieldScene& scene, Blocks blocks, double from, 
 }
 
 //------------------------------------------------------------------------------
-void vtkMetaballField::Make(const PackingCharges& charges, const GridGeometry& geometry,
+void vtkMetaballField::FillOutput(const PackingCharges& charges, const GridGeometry& geometry,
   vtkUnsignedCharArray* colors, vtkImageData* output)
 {
   const Stopwatch watch;
@@ -355,7 +355,8 @@ void vtkMetaballField::Make(const PackingCharges& charges, const GridGeometry& g
   if (completed)
   {
     const std::vector<FieldBlock> blocks = spherepacking::CutIntoBlocks(scene);
-    completed = this->Run(scene, { blocks.data(), blocks.data() + blocks.size() }, 0.0, progress);
+    completed =
+      this->SumBlocks(scene, { blocks.data(), blocks.data() + blocks.size() }, 0.0, progress);
   }
   // The charges have weights divided by the largest.
   const double unit = charges.MaxWeight > 0.0 ? charges.MaxWeight : 1.0;
@@ -417,8 +418,8 @@ bool vtkMetaballField::Blend(const PackingCharges& charges, const GridGeometry& 
     grid.FirstIndex = low;
     const double from =
       0.25 * (channel + 1) + progress * static_cast<double>(first - blocks.data());
-    completed =
-      this->Run(scene, { first, last }, from, from + progress * static_cast<double>(last - first));
+    completed = this->SumBlocks(
+      scene, { first, last }, from, from + progress * static_cast<double>(last - first));
     for (std::int64_t i = low; i < high; ++i)
     {
       const float sum = field->GetValue(i);

@@ -185,7 +185,7 @@ private:
   struct CachedGrid;
 
   spherepacking::GridRequest Request() const;
-  void Check() const;
+  void CheckOptions() const;
   std::string OutOfMemory() const;
   const spherepacking::GridGeometry& FindGrid(vtkPolyData* packing, vtkDataArray* radii);
   vtkUnsignedCharArray* FindColors(vtkPolyData* packing) const;
@@ -202,8 +202,8 @@ private:
   };
 
   // Sums blocks while the progress goes from `from` to `to`; false if it was aborted.
-  bool Run(const spherepacking::FieldScene& scene, Blocks blocks, double from, double to);
-  void Make(const spherepacking::PackingCharges& charges,
+  bool SumBlocks(const spherepacking::FieldScene& scene, Blocks blocks, double from, double to);
+  void FillOutput(const spherepacking::PackingCharges& charges,
     const spherepacking::GridGeometry& geometry, vtkUnsignedCharArray* colors,
     vtkImageData* output);
   bool Blend(const spherepacking::PackingCharges& charges,

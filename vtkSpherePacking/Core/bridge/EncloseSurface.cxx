@@ -25,13 +25,13 @@ public:
   {
   }
 
-  // The least distance of a face from the bounds, to a twentieth, at which the field is below the
-  // threshold, found by bisection from `least` on.
-  double Margin(double least, double threshold, int samples)
+  // The distance of a face from the bounds at which the field falls below the threshold, to a
+  // twentieth, by bisection from `lowest` on.
+  double Margin(double lowest, double threshold, int samples)
   {
     constexpr int few = 24;
-    double low = least;
-    double high = least;
+    double low = lowest;
+    double high = lowest;
     while (this->MaxValue(high, few) >= threshold)
     {
       low = high;
@@ -154,9 +154,9 @@ bool EncloseSurface(
     for (int side = 0; side < 6; ++side)
     {
       const double sign = side % 2 ? 1.0 : -1.0;
-      const double least = sign * (enclosed[side] - centers[side]);
+      const double lowest = sign * (enclosed[side] - centers[side]);
       enclosed[side] = centers[side] +
-        sign * BoxFace(scene, centers, side / 2, side % 2).Margin(least, threshold, samples);
+        sign * BoxFace(scene, centers, side / 2, side % 2).Margin(lowest, threshold, samples);
     }
   }
   double length = 0.0;

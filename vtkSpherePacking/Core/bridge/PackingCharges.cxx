@@ -26,12 +26,12 @@ PackingCharges::PackingCharges(
   }
   this->MaxWeight = *std::max_element(this->Weights.begin(), this->Weights.end());
   this->Number = spheres.Count;
-  const bool some = count > 0 && count < this->Number;
-  if (some || this->Weights.size() > 1)
+  const bool limited = count > 0 && count < this->Number;
+  if (limited || this->Weights.size() > 1)
   {
     this->RankByRadius(spheres);
   }
-  if (some)
+  if (limited)
   {
     this->Number = count;
     this->IdOfRank.resize(count);

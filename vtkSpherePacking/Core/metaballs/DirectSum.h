@@ -65,7 +65,7 @@ public:
   }
 
 private:
-  // All charges that are neglected add up to at most this part of the largest weight.
+  // Bound for the sum of all charges that are neglected, in units of the largest weight.
   static constexpr double NeglectedWeight = 5e-7;
 
   void SetZero(const FieldBlock& part) const
@@ -87,14 +87,14 @@ private:
 
   void AddThoseInReach(const FieldBlock& part)
   {
-    const double least = NeglectedWeight * this->Scene.MaxWeight /
+    const double cutoff = NeglectedWeight * this->Scene.MaxWeight /
       static_cast<double>(this->Scene.Tree.Charges.size());
     this->Open.assign(1, 0);
     while (!this->Open.empty())
     {
       const ChargeNode& node = this->Scene.Tree.Nodes[this->Open.back()];
       this->Open.pop_back();
-      const double reach = node.Radius + Blob::Support(node.MaxStrength, node.MaxRadius, least);
+      const double reach = node.Radius + Blob::Support(node.MaxStrength, node.MaxRadius, cutoff);
       double square = 0.0;
       for (int axis = 0; axis < 3; ++axis)
       {

@@ -5,7 +5,8 @@
 #include "base/LocalVector.h"
 #include "metaballs/DirectSum.h"
 
-#include <limits>
+#include <algorithm>
+#include <cmath>
 
 namespace spherepacking
 {
@@ -17,6 +18,9 @@ inline namespace SPHEREPACKING_ISA
 /// least ranks is a lower bound for the winner at every point of the box; charges whose greatest
 /// rank is below it, and nodes of the tree for which that can be shown of all their charges, cannot
 /// win. What remains are the candidates; halving the box raises the bound, until there are few.
+///
+/// Source: Land and Doig, "An automatic method of solving discrete programming problems" (1960),
+/// for branch and bound.
 template <typename Blob>
 class StrongestFinder
 {
@@ -275,8 +279,8 @@ private:
     return one.Radius != other.Radius ? one.Radius > other.Radius : one.Id < other.Id;
   }
 
-  // Removes candidates that another one at the same position surpasses, or equals, everywhere: no
-  // box, however small, separates these.
+  // Removes candidates that another one at the same position surpasses, or equals, everywhere. By
+  // their bounds alone, thousands of concentric spheres would remain in all but the smallest boxes.
   void PruneCoincident()
   {
     ChargeList& candidates = this->Candidates[0];

@@ -5,15 +5,14 @@
 /// distance `square` and of two parameters that depend on the sphere alone, strength and shape:
 ///
 /// - Strength() and Shape() are these parameters; the strength is w where there is no Strength();
-/// - Value() is the kernel, Slope() its derivative by d, divided by d: the gradient is Slope()
-/// times
-///   the vector from the centre to the point;
+/// - Value() is the kernel, Slope() its derivative by d, divided by d, so that the gradient is
+///   Slope() times the vector from the centre to the point;
 /// - Rank() is an increasing function of Value() that does not underflow, for comparisons alone;
 ///   Value() is 0 where the rank is at most ZeroRank;
 /// - MaxRank() bounds the rank of all spheres whose distance is at least, and whose strength and
 ///   radius are at most the given ones;
 /// - Relaxed() is a rank slightly reduced, to allow for rounding;
-/// - Support() is the distance beyond which a sphere adds less than `least`.
+/// - Support() is the distance beyond which a sphere adds less than `cutoff`.
 #ifndef Blobs_h
 #define Blobs_h
 
@@ -165,9 +164,9 @@ struct GaussianBlob
     return Rank(distance * distance, strength, Shape(radius));
   }
 
-  static double Support(double weight, double radius, double least)
+  static double Support(double weight, double radius, double cutoff)
   {
-    return radius * std::sqrt(std::max(0.0, 1.0 + 0.5 * std::log(weight / least)));
+    return radius * std::sqrt(std::max(0.0, 1.0 + 0.5 * std::log(weight / cutoff)));
   }
 
   template <typename T>

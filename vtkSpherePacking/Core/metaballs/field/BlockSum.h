@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// Direct summation over a small block of the grid; in the fast multipole method the P2P step,
-/// particles to points.
+/// Direct summation over a small block of the grid: the P2P step (particle to particle) of the fast
+/// multipole method.
 #ifndef BlockSum_h
 #define BlockSum_h
 
@@ -25,13 +25,13 @@ inline namespace SPHEREPACKING_ISA
 {
 /// Sums what each charge adds at each point of a block: Begin(), any number of Add(), End().
 ///
-/// Most of it in single precision. Coordinates are taken relative to the middle of the block before
-/// they are rounded to floats, so a distance along an axis is wrong by at most 2^-24 of the block's
-/// size s, wherever the block lies, and a distance by sqrt(3) times that. Charges nearer than s /
-/// 40 to a point are summed in double precision; for all others the relative error is therefore at
-/// most 40 sqrt(3) 2^-24 = 4.1e-6 for the distance and 8.3e-6 for its square. Sums in single
-/// precision are of 64 charges, which adds 64 2^-24 = 4e-6 at most to the field; those are summed
-/// in double precision.
+/// Coordinates are taken relative to the middle of the block before they are rounded to floats, so
+/// a distance along an axis is wrong by at most 2^-24 of the block's size s, wherever the block
+/// lies, and a distance by sqrt(3) times that. Charges within s / 40 of a point are summed in
+/// double precision. For all others the relative error of the distance is therefore at most
+/// 40 sqrt(3) 2^-24 = 4.1e-6, and that of its square 8.3e-6. The kernels of 64 charges at a time
+/// are summed in single precision, whose rounding adds 64 2^-24 = 4e-6 at most; these sums are
+/// summed in double precision.
 template <typename Blob>
 class BlockSum
 {

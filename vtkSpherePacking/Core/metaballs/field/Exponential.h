@@ -18,8 +18,8 @@ inline namespace SPHEREPACKING_ISA
 /// Source: Cody and Waite, "Software Manual for the Elementary Functions" (1980).
 inline Float8 Exponential(const Float8& x)
 {
-  const Float8 least = Float8{} - 87.0f;
-  const Float8 inside = x < least ? least : x;
+  const Float8 lowest = Float8{} - 87.0f;
+  const Float8 inside = x < lowest ? lowest : x;
   const Float8 scaled = inside * 1.44269504f;
   const Float8 half = scaled < 0.0f ? Float8{} - 0.5f : Float8{} + 0.5f;
   const Int8 whole = __builtin_convertvector(scaled + half, Int8);
@@ -34,7 +34,7 @@ inline Float8 Exponential(const Float8& x)
   const Int8 bits = (whole + 127) << 23;
   Float8 power;
   std::memcpy(&power, &bits, sizeof(power));
-  return x < least ? Float8{} : sum * power;
+  return x < lowest ? Float8{} : sum * power;
 }
 inline double Exponential(double x)
 {

@@ -17,24 +17,20 @@
 /// v = 2).
 ///
 /// The other terms are long-range, and so smooth that they are evaluated on grids. A Gaussian of
-/// the variance A + B is the convolution of two, of the variances A and B; its integral is replaced
+/// the variance A + B is the convolution of two, of the variances A and B; the integral is replaced
 /// by a sum over grid points a spacing h apart. By Poisson's formula the sum is the Gaussian times
-/// a factor between 1 - e and 1 + e, with e = 2 exp(-2 pi^2 s / h^2) + ... and 1 / s = 1 / A + 1 /
-/// B, along each axis. Sums of such sums stay within the product of the factors. So these are the
-/// steps, each of which adds to the variance:
+/// a factor between 1 - e and 1 + e along each axis, where e = 2 exp(-2 pi^2 s / h^2) + ... and
+/// 1 / s = 1 / A + 1 / B. Sums of such sums stay within the product of the factors. The steps, each
+/// of which adds a part of the variance, are:
 ///
-/// - anterpolation: charges become charges at the points of level 0, which are those where the
-/// field
-///   is wanted, by Gaussians of the variance s0 = 1 / (4 a^2);
-/// - restriction: charges of level l - 1 become charges of level l, whose spacing is h 2^l, which
-///   brings their variance to 4^l h^2;
-/// - level 0 evaluates the terms m = 0, 1 and 2, level l those with 2 l + 1 and 2 l + 2, from its
-/// own
-///   charges with Gaussians of what then is missing of the variance 1 / (2 u^2) of the term;
-/// - prolongation: the field of level l is interpolated at the points of level l - 1 and added to
-/// its
-///   field. From level l down to level 0 that adds the variance 4^l h^2 in all, as much as the
-///   charges had on their way up.
+/// - Anterpolation. Charges become charges at the points of level 0, among which are those where
+///   the field is wanted, by Gaussians of the variance s0 = 1 / (4 a^2).
+/// - Restriction. Charges of level l - 1 become charges at the points of level l, whose spacing is
+///   h 2^l, which brings their variance to 4^l h^2.
+/// - Level 0 evaluates the terms m = 0, 1 and 2 from its charges, level l the terms 2 l + 1 and
+///   2 l + 2, by Gaussians of the variance that is missing to 1 / (2 u^2) in the end.
+/// - Prolongation. The field of level l is interpolated at the points of level l - 1 and added to
+///   its field. From level l to level 0 this adds the variance 4^l h^2, that of the charges.
 ///
 /// For a h = 0.55, s0 = 0.83 h^2. e is largest for m = 0, 5.8e-4, but that term is at most 0.17 of
 /// d^-1 (0.26 of d^-2) at any d. Gaussians are truncated, at 4 h for anterpolation and at sqrt(22)
@@ -45,10 +41,11 @@
 /// together is at most 7e-4 of d^-v at any d; tests/core/test_gaussian_sum.py adds it up. Sums in
 /// single precision, see AddInBatches(), add at most 2.5e-4.
 ///
-/// Sources: Hardy, Stone and Schulten, "Multilevel summation of electrostatic potentials using
-/// graphics processing units" (2009), for the hierarchy; Beylkin and Monzon, "Approximation by
-/// exponential sums revisited" (2010), for the sum; Greengard and Lee, "Accelerating the nonuniform
-/// fast Fourier transform" (2004), for Gaussians as sums of products.
+/// Sources: Brandt and Lubrecht, "Multilevel matrix multiplication and fast solution of integral
+/// equations" (1990), and Hardy, Stone and Schulten, "Multilevel summation of electrostatic
+/// potentials using graphics processing units" (2009), for the hierarchy; Beylkin and Monzon,
+/// "Approximation by exponential sums revisited" (2010), for the sum; Greengard and Lee,
+/// "Accelerating the nonuniform fast Fourier transform" (2004), for Gaussians as sums of products.
 #ifndef GaussianSum_h
 #define GaussianSum_h
 
@@ -60,6 +57,7 @@ constexpr double GaussianSumError = 1e-3;
 /// Gaussians of anterpolation are truncated at this distance in units of the largest spacing.
 constexpr double AnterpolationRadius = 4.0;
 
+/// The terms of the sum, and the variances of the steps.
 class GaussianSum
 {
 public:
@@ -69,14 +67,14 @@ public:
   double Rate(int m) const;   ///< u(m)
   double Weight(int m) const; ///< w(m)
 
-  /// Variance of the Gaussians as which the charges of a level are given by its points.
+  /// Variance of the Gaussians into which the charges of a level have spread.
   double ChargeVariance(int level) const;
 
   /// The sum of all terms from m = 0 on at a distance.
   double LongRange(double distance) const;
 
-  /// One term in place of all from m = `first` on: exact up to the square of the distance, which
-  /// does where all distances are short in comparison with 1 / u(first).
+  /// Rate and weight of one term in place of all from m = `first` on: exact up to the square of the
+  /// distance, which is accurate for distances far below 1 / u(first).
   void MergeTerms(int first, double& rate, double& weight) const;
 
   double Cutoff;

@@ -68,11 +68,12 @@ void SetWindow(const double (&spacing)[3], int (&window)[3])
 class HierarchyBuilder
 {
 public:
-  HierarchyBuilder(GridHierarchy& hierarchy, const FieldGrid& grid, const ParallelFor& parallelFor)
+  HierarchyBuilder(
+    GridHierarchy& hierarchy, const FieldGrid& grid, int power, const ParallelFor& parallelFor)
     : Hierarchy(hierarchy)
     , Grid(grid)
     , Each(parallelFor)
-    , Sum(hierarchy.Power, *std::max_element(grid.Spacing, grid.Spacing + 3))
+    , Sum(power, *std::max_element(grid.Spacing, grid.Spacing + 3))
   {
     std::copy_n(grid.Origin, 3, hierarchy.Origin);
     std::copy_n(grid.Spacing, 3, hierarchy.Spacing);
@@ -387,8 +388,7 @@ std::unique_ptr<GridHierarchy> BuildGridHierarchy(
   std::vector<Charge>&& charges, const FieldGrid& grid, int power, const ParallelFor& parallelFor)
 {
   auto hierarchy = std::make_unique<GridHierarchy>();
-  hierarchy->Power = power;
-  HierarchyBuilder(*hierarchy, grid, parallelFor).Run(std::move(charges));
+  HierarchyBuilder(*hierarchy, grid, power, parallelFor).Run(std::move(charges));
   return hierarchy;
 }
 }

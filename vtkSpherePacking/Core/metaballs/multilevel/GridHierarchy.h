@@ -17,7 +17,8 @@
 
 namespace spherepacking
 {
-/// A box of points of a grid; point 0 of every level is at the origin of the field's grid.
+/// A box of points of a level. Points are numbered from the origin of the field's grid, at which
+/// every level has its point 0; numbers may be negative.
 struct GridBox
 {
   int First[3] = {};
@@ -97,23 +98,22 @@ struct Stencil
   AxisStencil Along[3];
 };
 
+/// A level of the hierarchy, and the stencils from and to the next finer one.
 struct GridLevel
 {
   GridArray Charges;
-  GridArray Field; ///< empty for level 0, whose field is summed block by block
-  std::vector<Stencil>
-    Terms;                 ///< from these charges to this field, one per term of the Gaussian sum
-  Stencil Restriction;     ///< from the charges of the finer level to these
-  Stencil Prolongation[2]; ///< from this field to the even and to the odd points of the finer one
+  GridArray Field;            ///< empty for level 0, whose field is summed block by block
+  std::vector<Stencil> Terms; ///< from charges to field, one per term of the Gaussian sum
+  Stencil Restriction;        ///< from the charges of the finer level to these
+  Stencil Prolongation[2];    ///< from this field to the even and the odd points of the finer one
 };
 
 struct GridHierarchy
 {
   static constexpr int LongRangeTerms = 8;
 
-  int Power = 1;
   double Origin[3];
-  double Spacing[3];
+  double Spacing[3];               ///< of level 0
   double ChargeVariance = 0.0;     ///< of anterpolation
   double Cutoff = 0.0;             ///< of the short-range terms
   float LongRange[LongRangeTerms]; ///< within it the other terms: a polynomial of (d / Cutoff)^2

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// Transfers between the grids of multilevel summation: restriction of charges, prolongation of
-/// fields.
+/// Transfer between the grids of multilevel summation: restriction of charges, prolongation of the
+/// field.
 #ifndef GridTransfer_h
 #define GridTransfer_h
 
@@ -10,8 +10,7 @@ namespace spherepacking
 {
 inline namespace SPHEREPACKING_ISA
 {
-/// Restriction: sets the charges of a level in a box, as wide as the level, from those of the finer
-/// level.
+/// Restriction: sets charges of a level from those of the finer one, in a box as wide as the level.
 inline void RestrictImpl(const GridRows& fine, GridLevel& level, const GridBox& box)
 {
   const AxisStencil(&along)[3] = level.Restriction.Along;
@@ -74,8 +73,7 @@ inline void Prolongate(const GridLevel& level, const GridRows& to, GridScratch& 
     });
 }
 
-/// Sets `scratch.Sums` to the field, in a box of a level, of the terms of this and of all coarser
-/// levels.
+/// Sets `scratch.Sums` to the field of the terms of a level and all coarser ones, in a box of it.
 inline void SumLevels(
   const GridHierarchy& hierarchy, std::size_t level, const GridBox& box, GridScratch& scratch)
 {

@@ -6,8 +6,8 @@
 
 namespace spherepacking
 {
-/// The functions with the ending Impl for processors with AVX2 and FMA; the results differ by
-/// rounding.
+/// AnterpolateCellsImpl(), RestrictImpl() and SetFieldImpl() for processors with AVX2 and FMA; the
+/// results differ by rounding.
 void AnterpolateCellsAvx2(GridHierarchy& hierarchy, int y, int z);
 void RestrictAvx2(const GridRows& fine, GridLevel& level, const GridBox& box);
 void SetFieldAvx2(GridHierarchy& hierarchy, std::size_t level, const GridBox& box);

@@ -11,9 +11,8 @@ namespace spherepacking
 {
 inline namespace SPHEREPACKING_ISA
 {
-/// Multilevel summation: sums the field of an inverse kernel over blocks of a grid, long-range
-/// terms from the levels of the hierarchy, short-range terms directly from the charges within
-/// Cutoff.
+/// Multilevel summation of the field of an inverse kernel over blocks of a grid: long-range terms
+/// from the levels of the hierarchy, short-range terms directly from the charges within Cutoff.
 template <int Power>
 class MultilevelSum
 {
@@ -163,7 +162,7 @@ private:
     {
       static_assert(GridHierarchy::LongRangeTerms == 8, "as they are added here");
       const Float8 t = square * this->Inverse;
-      // Estrin's scheme: shorter chains of operations that wait for each other than Horner's rule.
+      // Estrin's scheme, in which fewer operations wait for each other than in Horner's rule.
       const float* c = this->LongRange;
       const Float8 t2 = t * t;
       const Float8 low = (c[0] + c[1] * t) + (c[2] + c[3] * t) * t2;

@@ -28,16 +28,15 @@ public:
     std::fill_n(this->Sums, multipoles.Moments.Reduced.Count, Float8{});
   }
 
-  /// `direction` points from the cluster's centre to that of the expansion and is as long as they
-  /// are apart.
-  void Add(std::int32_t node, const double (&direction)[3], double inverseDistance, int order)
+  /// `separation` is the vector from the cluster's centre to that of the expansion.
+  void Add(std::int32_t node, const double (&separation)[3], double inverseDistance, int order)
   {
     ClusterBatch& queue = this->Queues[order];
     const int lane = queue.Count++;
     queue.Moments[lane] = this->Expansions.Moments[node];
-    queue.X[lane] = static_cast<float>(direction[0] * inverseDistance);
-    queue.Y[lane] = static_cast<float>(direction[1] * inverseDistance);
-    queue.Z[lane] = static_cast<float>(direction[2] * inverseDistance);
+    queue.X[lane] = static_cast<float>(separation[0] * inverseDistance);
+    queue.Y[lane] = static_cast<float>(separation[1] * inverseDistance);
+    queue.Z[lane] = static_cast<float>(separation[2] * inverseDistance);
     queue.InverseDistance[lane] = static_cast<float>(inverseDistance);
     queue.RadiusRatio[lane] = static_cast<float>(this->Tree.Nodes[node].Radius * inverseDistance);
     if (queue.Count == 8)

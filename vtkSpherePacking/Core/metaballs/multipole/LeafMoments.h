@@ -10,8 +10,7 @@ namespace spherepacking
 {
 inline namespace SPHEREPACKING_ISA
 {
-/// P2M sums: of charge times x^i y^j z^k / (i! j! k!) over charges, eight at a time, a sum per
-/// lane.
+/// P2M: sums of charge times x^i y^j z^k / (i! j! k!), eight charges at a time, a sum per lane.
 class MonomialSums
 {
 public:
@@ -140,8 +139,7 @@ private:
   Float8 Sums[(MaxReduced + 7) / 8 * 8] = {};
 };
 
-/// P2M: sets the moments of a node's charges. Positions are rounded to floats after the centre is
-/// subtracted.
+/// P2M: sets the moments of a node's charges, from positions relative to its centre as floats.
 inline void MomentsOfLeaf(
   const MultiIndex& reduced, const ChargeNode& node, const Charge* charges, float* moments)
 {

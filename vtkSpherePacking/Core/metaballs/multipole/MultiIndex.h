@@ -8,9 +8,9 @@
 ///   d^2/dz^2 = -d^2/dx^2 - d^2/dy^2,
 ///
 /// derivatives with k >= 2 follow from those with k <= 1, and a moment with k >= 2 may be
-/// subtracted from those at (i + 2, j, k - 2) and (i, j + 2, k - 2) instead of being stored. A
-/// reduced index has k <= 1 alone, (p + 1)^2 coefficients for the order p; a full index has all (p
-/// + 1) (p + 2) (p + 3) / 6. As 1 / d^2 is not harmonic, both are the same for that.
+/// subtracted from those at (i + 2, j, k - 2) and (i, j + 2, k - 2) instead of being stored. For
+/// the order p a reduced index has k <= 1 alone, (p + 1)^2 coefficients, and a full index has all
+/// (p + 1) (p + 2) (p + 3) / 6. As 1 / d^2 is not harmonic, both are the same for that.
 ///
 /// Source: Hinsen and Felderhof, "Reduced description of electric multipole potential in Cartesian
 /// coordinates" (1992).

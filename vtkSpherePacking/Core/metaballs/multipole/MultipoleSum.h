@@ -47,13 +47,13 @@ public:
 private:
   using Nodes = LocalVector<std::int32_t>;
 
-  // A block with at most so many pairs of charges and points in the near field is not halved any
-  // more; a pair takes a fraction of a nanosecond.
+  // The most pairs of a charge in the near field and a point that a block may have, else it is
+  // halved; a pair takes a fraction of a nanosecond. Blocks of few points are not halved any more.
   static constexpr std::int64_t MaxPairs = 2000000;
   static constexpr int MinPoints = 8;
 
-  // Sums over the clusters `nodes` in a block; the rest is in the expansion `above`, if there is
-  // one.
+  // Sums the field of the clusters `nodes` in a block, and of all others, which are in the local
+  // expansion `above` if there are any.
   void Visit(const FieldBlock& block, const Nodes& nodes, const LocalExpansion* above)
   {
     LocalExpansion local;

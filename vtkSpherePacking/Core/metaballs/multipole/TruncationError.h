@@ -64,8 +64,7 @@ struct Separation
 
 inline namespace SPHEREPACKING_ISA
 {
-/// The lowest order up to `maxOrder` whose error is at most `error`, or maxOrder + 1 if there is
-/// none.
+/// The lowest order up to `maxOrder` whose error is at most `error`, else maxOrder + 1.
 template <int Power>
 inline int OrderFor(const Separation& separation, double error, int maxOrder)
 {
