@@ -13,9 +13,9 @@ Direct sums make 3e9 pairs of sphere and point a second and core, with an error 
 (Cheng, Greengard and Rokhlin, "A Fast Adaptive Multipole Algorithm in Three Dimensions", 1999), in
 the same run; its error is found in the same way. 2000 spheres on 256^3 points take at most 2 s,
 1 000 000 spheres there 60 s. Twice as many spheres, 100 000 after 50 000, take at most 1.3 times as
-long on 128^3 and on 256^3 points. On 128^3 they take less time: 50 000 go through the tree, and
-100 000 through meshes, which take no more memory than is allowed from there on. Other pairs are
-shown without a bar.
+long on 128^3 and on 256^3 points. On 128^3 they take less time: 50 000 are summed by the fast
+multipole method, 100 000 by multilevel summation, whose grids take no more memory than is allowed
+from there on. Other pairs are shown without a bar.
 Beyond what is returned, memory is at most 150 bytes a sphere, measured as the growth of the
 process.
 """

@@ -1,4 +1,4 @@
-"""The bound of metaballs/GaussianSum.h, added up, and fields that come near it."""
+"""The bound of metaballs/multilevel/GaussianSum.h, added up, and fields that come near it."""
 
 import math
 
@@ -12,12 +12,12 @@ from fields import direct, field_of, filter_of, value_of
 BOUND = 7e-4
 ROUNDING = 2.5e-4
 ALPHA = 0.55  # for a step of 1
-SPREAD = 0.25 / ALPHA**2
+CHARGE_VARIANCE = 0.25 / ALPHA**2
 WINDOW = 4.0
-CUT_OFF = math.sqrt(22.0)
-FLAT = 0.2  # rate times distance, below which all further terms are one
+TRUNCATED = math.sqrt(22.0)  # standard deviations
+MERGED_BELOW = 0.2  # rate times distance, below which all further terms are merged into one
 FIT = 8  # coefficients
-REACH = {1: 2.8 / math.sqrt(2.0) / ALPHA, 2: 3.2 / math.sqrt(2.0) / ALPHA}
+CUTOFF = {1: 2.8 / math.sqrt(2.0) / ALPHA, 2: 3.2 / math.sqrt(2.0) / ALPHA}
 POWERS = {"inverse": 1, "inverse_square": 2}
 
 
@@ -30,14 +30,14 @@ def weight(m, power):
 
 
 def products(m):
-    """Variances of the two Gaussians of each sum that makes a term, and the step of its nodes."""
+    """Variances of the two Gaussians of each sum that makes a term, and the spacing of its grid."""
     level = 0 if m < 3 else min((m - 1) // 2, 6)
     variance = 0.5 / rate(m) ** 2
     if level == 0:
-        return [(SPREAD, variance - SPREAD, 1.0)]
-    spread = [SPREAD] + [4.0**i for i in range(1, level + 1)]
-    sums = [(spread[i], spread[i + 1] - spread[i], 2.0**i) for i in range(level)]
-    done = spread[level]
+        return [(CHARGE_VARIANCE, variance - CHARGE_VARIANCE, 1.0)]
+    charges = [CHARGE_VARIANCE] + [4.0**i for i in range(1, level + 1)]
+    sums = [(charges[i], charges[i + 1] - charges[i], 2.0**i) for i in range(level)]
+    done = charges[level]
     sums.append((done, variance - 2.0 * done, 2.0**level))
     done = variance - done
     for i in range(level, 0, -1):
@@ -47,14 +47,14 @@ def products(m):
     return sums
 
 
-def node_error(a, b, step):
+def grid_error(a, b, step):
     """Of a sum in place of an integral, see the header; the frequencies are a geometric series."""
     factor = math.exp(-2.0 * math.pi**2 * a * b / (a + b) / step**2)
     return 2.0 * factor / (1.0 - factor)
 
 
 def beyond(sigmas, step):
-    """At most this part of a Gaussian's sum, for a step in sigmas, is that far from its middle."""
+    """Bound for the part of a Gaussian's sum that is that far from its middle; step in sigmas."""
     erfc = np.vectorize(math.erfc)
     integral = 0.5 * erfc(sigmas / math.sqrt(2.0))
     first = step / math.sqrt(2.0 * math.pi) * np.exp(-0.5 * sigmas**2)
@@ -62,7 +62,7 @@ def beyond(sigmas, step):
 
 
 def lost(a, b, step, cut, radius, distance):
-    """Part of a sum that is beyond where the Gaussian of the variance `cut` is cut off."""
+    """Part of a sum that is beyond the radius where the Gaussian of variance `cut` is truncated."""
     sigma = math.sqrt(a * b / (a + b))
     middle = distance * cut / (a + b)
     return beyond((radius - middle) / sigma, step / sigma) + beyond(
@@ -70,28 +70,30 @@ def lost(a, b, step, cut, radius, distance):
     )
 
 
-def rest_error(power):
-    """Of one term in place of all that hardly fall, at the distances it is for, times d^power."""
+def merging_error(power):
+    """Of one term in place of all that hardly decay, at the distances it is for, times d^power."""
     terms = np.arange(200)
     rates = np.array([rate(m) for m in terms])
     weights = np.array([weight(m, power) for m in terms])
     one = math.sqrt((weights * rates**2).sum() / weights.sum())
-    distance = np.linspace(0.0, FLAT / rates[0], 400)[:, None]
+    distance = np.linspace(0.0, MERGED_BELOW / rates[0], 400)[:, None]
     exact = (weights * np.exp(-((rates * distance) ** 2))).sum(axis=1)
     found = weights.sum() * np.exp(-((one * distance[:, 0]) ** 2))
     return (np.abs(found - exact) * distance[:, 0] ** power).max()
 
 
 def fit_error(power, distance):
-    """Of a polynomial in place of the smooth terms, within Reach, times d^power."""
+    """Of a polynomial in place of the long-range terms, within Cutoff, times d^power."""
     at = 0.5 + 0.5 * np.cos(math.pi * (np.arange(FIT) + 0.5) / FIT)
 
-    def smooth(square):
+    def long_range(square):
         return sum(weight(m, power) * np.exp(-(rate(m) ** 2) * square) for m in range(200))
 
-    fit = np.polynomial.Polynomial.fit(at, smooth(at * REACH[power] ** 2), FIT - 1, domain=[0, 1])
-    square = np.minimum(distance, REACH[power]) ** 2
-    return np.abs(fit(square / REACH[power] ** 2) - smooth(square)) * distance**power
+    fit = np.polynomial.Polynomial.fit(
+        at, long_range(at * CUTOFF[power] ** 2), FIT - 1, domain=[0, 1]
+    )
+    square = np.minimum(distance, CUTOFF[power]) ** 2
+    return np.abs(fit(square / CUTOFF[power] ** 2) - long_range(square)) * distance**power
 
 
 @pytest.mark.parametrize("power", [1, 2])
@@ -103,22 +105,22 @@ def test_the_bound_adds_up(power):
     gamma = (
         1.0 / math.cosh(math.pi * y) if power == 1 else math.pi * y / math.sinh(math.pi * y)
     ) ** 0.5
-    error = np.full_like(distance, 2.0 * gamma * 1.001 + rest_error(power))
-    error += np.where(distance < REACH[power], fit_error(power, distance), 0.0)
+    error = np.full_like(distance, 2.0 * gamma * 1.001 + merging_error(power))
+    error += np.where(distance < CUTOFF[power], fit_error(power, distance), 0.0)
     total = np.zeros_like(distance)
     for m in range(-30, 70):
         part = weight(m, power) * distance**power * np.exp(-((rate(m) * distance) ** 2))
         total += part
         if m < 0:
-            error += np.where(distance >= REACH[power], part, 0.0)
+            error += np.where(distance >= CUTOFF[power], part, 0.0)
             continue
         sums = products(m)
-        factor = math.prod(1.0 + node_error(*each) for each in sums) ** 3
-        cuts = [(*sums[0], SPREAD, WINDOW)]
-        cuts += [(a, b, h, b, CUT_OFF * math.sqrt(b)) for a, b, h in sums]
+        factor = math.prod(1.0 + grid_error(*each) for each in sums) ** 3
+        cuts = [(*sums[0], CHARGE_VARIANCE, WINDOW)]
+        cuts += [(a, b, h, b, TRUNCATED * math.sqrt(b)) for a, b, h in sums]
         missing = np.zeros_like(distance)
         for a, b, h, cut, radius in cuts:
-            # Its part of the way from the charge to the place; none along the other two axes.
+            # Its part of the way from the charge to the point; none along the other two axes.
             way = distance * (a + b) * 2.0 * rate(m) ** 2
             missing += lost(a, b, h, cut, radius, way) + 2.0 * lost(a, b, h, cut, radius, 0.0)
         error += part * (factor - 1.0 + np.minimum(missing, 1.0))
@@ -127,7 +129,7 @@ def test_the_bound_adds_up(power):
     assert error.max() <= BOUND
 
 
-def places_of(image):
+def points_of(image):
     steps = np.array(np.unravel_index(np.arange(image.n_points), image.dimensions, order="F")).T
     return np.array(image.origin) + steps * np.array(image.spacing)
 
@@ -135,13 +137,13 @@ def places_of(image):
 @pytest.mark.parametrize("kernel", POWERS)
 @pytest.mark.parametrize("shape", [(48, 48, 48), (48, 40, 28), (25, 47, 48)])
 def test_gaussian_sums_are_within_their_bound(kernel, shape, rng):
-    """All charges at one place: nothing averages out. Places between the nodes, all distances."""
+    """Coincident charges, on and between grid points: nothing averages out. All distances."""
     count = 3000
-    for place in (np.zeros(3), rng.uniform(-0.2, 0.2, 3), rng.uniform(-0.9, 0.9, 3)):
-        packing = packing_of(np.tile(place, (count, 1)), np.full(count, 0.01))
+    for position in (np.zeros(3), rng.uniform(-0.2, 0.2, 3), rng.uniform(-0.9, 0.9, 3)):
+        packing = packing_of(np.tile(position, (count, 1)), np.full(count, 0.01))
         image = field_of(packing, kernel, shape, 1e-3, (-1, 1, -1, 1, -1, 1))
         assert image.field_data["meshes"][0] > 1
-        distance = np.linalg.norm(places_of(image) - np.asarray(packing.points[0], float), axis=1)
+        distance = np.linalg.norm(points_of(image) - np.asarray(packing.points[0], float), axis=1)
         expected = count * value_of(kernel, distance, 0.01)
         assert np.abs(image["field"] / expected - 1.0).max() <= BOUND + ROUNDING
 
@@ -208,20 +210,20 @@ def test_fields_through_meshes_are_within_the_bound(scene, kernel, rng):
     image = field_of(packing, kernel, dimensions, 1e-3, bounds)
     assert image.field_data["meshes"][0] > 1
     chosen = rng.choice(image.n_points, 300, replace=False)
-    expected = direct(packing, places_of(image)[chosen], kernel)
+    expected = direct(packing, points_of(image)[chosen], kernel)
     assert np.abs(image["field"][chosen] / expected - 1.0).max() <= BOUND + ROUNDING
 
 
 @pytest.mark.parametrize(
     ("change", "why"),
     [
-        ({"count": 300}, "few spheres: the meshes would take more memory than they"),
-        ({"error": 9e-4}, "the meshes are not so exact"),
+        ({"count": 300}, "few spheres: the grids would take more memory than they"),
+        ({"error": 9e-4}, "multilevel summation is not so accurate"),
         ({"dimensions": (40, 40, 11)}, "a thin grid"),
-        ({"gradient": True}, "meshes make none"),
+        ({"gradient": True}, "multilevel summation makes none"),
         ({"strongest": True}, "it is found through the tree"),
         ({"dimensions": (60, 40, 28)}, "steps that differ by more than two"),
-        ({"radius": 2000.0}, "a sphere whose constant core is larger than a mesh's step"),
+        ({"radius": 2000.0}, "a sphere whose constant core is larger than the spacing"),
         ({"size": 1e-7, "bounds": (1 - 1e-7, 1 + 1e-7) * 3}, "spheres far beside the grid"),
     ],
 )
@@ -238,5 +240,5 @@ def test_other_fields_go_through_the_tree(change, why, rng):
     image = pv.wrap(algorithm.GetOutput())
     assert image.field_data["meshes"][0] == 0, why
     chosen = rng.choice(image.n_points, 100, replace=False)
-    expected = direct(packing, places_of(image)[chosen], "inverse_square")
+    expected = direct(packing, points_of(image)[chosen], "inverse_square")
     assert np.abs(image["field"][chosen] / expected - 1.0).max() <= error

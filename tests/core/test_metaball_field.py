@@ -96,7 +96,7 @@ def test_the_bound_is_not_met_by_summing_all(kernel, rng):
     fields = []
     for error in (0.0, 1e-3, 0.1):
         algorithm = filter_of(packing, kernel, error=error)
-        algorithm.ComputeGradientOn()  # which is not made through meshes
+        algorithm.ComputeGradientOn()  # which multilevel summation does not make
         algorithm.Update()
         fields.append(pv.wrap(algorithm.GetOutput())["field"])
     fine, medium, coarse = fields

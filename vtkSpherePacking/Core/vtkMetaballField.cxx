@@ -2,14 +2,14 @@
 #include "vtkMetaballField.h"
 
 #include "bridge/CoordinateRange.h"
+#include "bridge/EncloseSurface.h"
 #include "bridge/FieldData.h"
-#include "bridge/FieldInput.h"
 #include "bridge/GridGeometry.h"
 #include "bridge/Guard.h"
 #include "bridge/InterruptibleFor.h"
+#include "bridge/PackingCharges.h"
 #include "bridge/RadiusArray.h"
 #include "bridge/SmpParallelFor.h"
-#include "bridge/SurfaceBox.h"
 
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
@@ -33,18 +33,18 @@ vtkStandardNewMacro(vtkMetaballField);
 using spherepacking::AbortRequest;
 using spherepacking::BlobKind;
 using spherepacking::FieldBlock;
-using spherepacking::FieldInput;
 using spherepacking::FieldScene;
 using spherepacking::GridGeometry;
 using spherepacking::Join;
 using spherepacking::Outcome;
+using spherepacking::PackingCharges;
 using spherepacking::Refuse;
 using spherepacking::Report;
 using spherepacking::RunGuarded;
 using spherepacking::Stopwatch;
 
-// The grid of the last run, and what it was placed for.
-struct vtkMetaballField::PlacedGrid
+// The grid of the last run, and when that on which it depends had changed last.
+struct vtkMetaballField::CachedGrid
 {
   GridGeometry Grid;
   std::vector<vtkMTimeType> Times;
@@ -77,7 +77,7 @@ ArrayT* AddArray(vtkImageData* output, const char* name, int components)
 
 //------------------------------------------------------------------------------
 vtkMetaballField::vtkMetaballField()
-  : Placed(new PlacedGrid)
+  : Cached(new CachedGrid)
 {
 }
 
@@ -137,7 +137,7 @@ spherepacking::GridRequest vtkMetaballField::Request() const
 }
 
 //------------------------------------------------------------------------------
-void vtkMetaballField::Check() const
+void vtkMetaballField::CheckOptions() const
 {
   spherepacking::CheckGridRequest(this->Request());
   if (this->Count < 0)
@@ -163,11 +163,11 @@ void vtkMetaballField::Check() const
 int vtkMetaballField::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
-  // Where the grid lies depends on the packing; filters that follow ask before there is data.
+  // The grid depends on the packing, and filters downstream ask for it before there is data.
   GridGeometry grid{ {}, { 1.0, 1.0, 1.0 }, { 1, 1, 1 } };
   const auto work = [&]
   {
-    this->Check();
+    this->CheckOptions();
     this->GetInputAlgorithm()->Update();
     vtkPolyData* packing = vtkPolyData::SafeDownCast(this->GetInput());
     grid = this->FindGrid(packing, spherepacking::RadiiOf(packing, this->RadiusArrayName));
@@ -190,18 +190,18 @@ const GridGeometry& vtkMetaballField::FindGrid(vtkPolyData* packing, vtkDataArra
   const std::vector<vtkMTimeType> times{ this->GetMTime(), packing->GetMTime(),
     radii ? radii->GetMTime() : 0,
     packing->GetPoints() ? packing->GetPoints()->GetData()->GetMTime() : 0 };
-  if (this->Placed->Times != times)
+  if (this->Cached->Times != times)
   {
-    this->Placed->Times.clear();
-    const FieldInput input(packing, radii, this->Count, this->Weights);
-    if (!input.Empty())
+    this->Cached->Times.clear();
+    const PackingCharges charges(packing, radii, this->Count, this->Weights);
+    if (!charges.Empty())
     {
-      spherepacking::CheckCoordinateRange(input.Bounds);
+      spherepacking::CheckCoordinateRange(charges.Bounds);
     }
-    this->Placed->Grid = spherepacking::PlaceGrid(this->Request(), input);
-    this->Placed->Times = times;
+    this->Cached->Grid = spherepacking::ResolveGrid(this->Request(), charges);
+    this->Cached->Times = times;
   }
-  return this->Placed->Grid;
+  return this->Cached->Grid;
 }
 
 //------------------------------------------------------------------------------
@@ -218,7 +218,7 @@ int vtkMetaballField::RequestData(
   vtkImageData* output = vtkImageData::GetData(outputs);
   const auto work = [&]
   {
-    this->Check();
+    this->CheckOptions();
     vtkPolyData* packing = vtkPolyData::GetData(inputs[0]);
     vtkDataArray* radii = spherepacking::RadiiOf(packing, this->RadiusArrayName);
     if (packing->GetNumberOfPoints() > VTK_INT_MAX)
@@ -226,14 +226,14 @@ int vtkMetaballField::RequestData(
       Refuse(
         "packing", std::to_string(packing->GetNumberOfPoints()) + " spheres", "at most 2147483647");
     }
-    const FieldInput input(packing, radii, this->Count, this->Weights);
+    const PackingCharges charges(packing, radii, this->Count, this->Weights);
     vtkUnsignedCharArray* colors = this->FindColors(packing);
     const GridGeometry grid = this->FindGrid(packing, radii);
     output->SetDimensions(grid.Dimensions);
     output->SetOrigin(grid.Origin);
     output->SetSpacing(grid.Spacing);
-    this->Make(input, grid, colors, output);
-    // The executive would throw away what is done.
+    this->FillOutput(charges, grid, colors, output);
+    // Else the executive would discard the blocks that are done.
     this->SetAbortOutput(false);
   };
   if (RunGuarded(this, this->ErrorMessage, this->OutOfMemory(), work) == Outcome::Failed)
@@ -245,7 +245,7 @@ int vtkMetaballField::RequestData(
 }
 
 //------------------------------------------------------------------------------
-FieldScene vtkMetaballField::Prepare(const FieldInput& input, const GridGeometry& geometry,
+FieldScene vtkMetaballField::Prepare(const PackingCharges& charges, const GridGeometry& geometry,
   const unsigned char* colors, int channel, int components)
 {
   double all[6];
@@ -253,14 +253,14 @@ FieldScene vtkMetaballField::Prepare(const FieldInput& input, const GridGeometry
   {
     const double last =
       geometry.Origin[axis] + (geometry.Dimensions[axis] - 1) * geometry.Spacing[axis];
-    all[2 * axis] = input.Empty() ? geometry.Origin[axis]
-                                  : std::min(geometry.Origin[axis], input.Bounds[2 * axis]);
-    all[2 * axis + 1] = input.Empty() ? last : std::max(last, input.Bounds[2 * axis + 1]);
+    all[2 * axis] = charges.Empty() ? geometry.Origin[axis]
+                                    : std::min(geometry.Origin[axis], charges.Bounds[2 * axis]);
+    all[2 * axis + 1] = charges.Empty() ? last : std::max(last, charges.Bounds[2 * axis + 1]);
   }
   double origin[3];
   double scale;
-  spherepacking::ScaleOf(all, origin, scale);
-  std::vector<spherepacking::Charge> spheres = input.Scaled(origin, scale);
+  spherepacking::FindUnitScale(all, origin, scale);
+  std::vector<spherepacking::Charge> spheres = charges.Scaled(origin, scale);
   for (spherepacking::Charge& sphere : spheres)
   {
     sphere.Strength *=
@@ -274,7 +274,7 @@ FieldScene vtkMetaballField::Prepare(const FieldInput& input, const GridGeometry
     grid.Dimensions[axis] = geometry.Dimensions[axis];
   }
   grid.Scale = scale;
-  // The parts of a blend have no gradient.
+  // A channel of a blend needs the field alone.
   const spherepacking::FieldWanted wanted{ !colors && this->ComputeGradient,
     !colors && this->ComputeStrongest };
   const auto stoppable = [&](std::int64_t count, const std::function<void(std::int64_t)>& work)
@@ -291,7 +291,7 @@ FieldScene vtkMetaballField::Prepare(const FieldInput& input, const GridGeometry
 }
 
 //------------------------------------------------------------------------------
-bool vtkMetaballField::Run(const FieldScene& scene, Blocks blocks, double from, double to)
+bool vtkMetaballField::SumBlocks(const FieldScene& scene, Blocks blocks, double from, double to)
 {
   Stopwatch sinceLast;
   bool stopped = false;
@@ -320,24 +320,24 @@ bool vtkMetaballField::Run(const FieldScene& scene, Blocks blocks, double from, 
 }
 
 //------------------------------------------------------------------------------
-void vtkMetaballField::Make(const FieldInput& input, const GridGeometry& geometry,
+void vtkMetaballField::FillOutput(const PackingCharges& charges, const GridGeometry& geometry,
   vtkUnsignedCharArray* colors, vtkImageData* output)
 {
   const Stopwatch watch;
   FieldScene scene;
-  bool go = true;
+  bool completed = true;
   try
   {
-    scene = this->Prepare(input, geometry, nullptr, 0, 0);
+    scene = this->Prepare(charges, geometry, nullptr, 0, 0);
   }
   catch (const AbortRequest&)
   {
-    go = false;
+    completed = false;
   }
   const double build = watch.Seconds();
-  const auto meshes = static_cast<double>(scene.Mesh ? scene.Mesh->Levels.size() : 0);
+  const auto meshes = static_cast<double>(scene.Hierarchy ? scene.Hierarchy->Levels.size() : 0);
   // A blend needs three more fields.
-  const double share = colors ? 0.25 : 1.0;
+  const double progress = colors ? 0.25 : 1.0;
   vtkFloatArray* field = AddArray<vtkFloatArray>(output, "field", 1);
   scene.Grid.Field = field->GetPointer(0);
   vtkFloatArray* gradient = nullptr;
@@ -352,13 +352,14 @@ void vtkMetaballField::Make(const FieldInput& input, const GridGeometry& geometr
     strongest->FillValue(-1);
     scene.Grid.Strongest = strongest->GetPointer(0);
   }
-  if (go)
+  if (completed)
   {
     const std::vector<FieldBlock> blocks = spherepacking::CutIntoBlocks(scene);
-    go = this->Run(scene, { blocks.data(), blocks.data() + blocks.size() }, 0.0, share);
+    completed =
+      this->SumBlocks(scene, { blocks.data(), blocks.data() + blocks.size() }, 0.0, progress);
   }
-  // The spheres were given parts of the largest weight.
-  const double unit = input.MostWeight > 0.0 ? input.MostWeight : 1.0;
+  // The charges have weights divided by the largest.
+  const double unit = charges.MaxWeight > 0.0 ? charges.MaxWeight : 1.0;
   MultiplyBy(unit, field);
   if (gradient)
   {
@@ -368,9 +369,9 @@ void vtkMetaballField::Make(const FieldInput& input, const GridGeometry& geometr
   {
     scene = FieldScene();
     auto* blend = AddArray<vtkUnsignedCharArray>(output, "blend", 3);
-    for (int channel = 0; go && channel < 3; ++channel)
+    for (int channel = 0; completed && channel < 3; ++channel)
     {
-      go = this->Blend(input, geometry, colors, channel, field, blend);
+      completed = this->Blend(charges, geometry, colors, channel, field, blend);
     }
   }
   output->GetPointData()->SetActiveScalars("field");
@@ -380,53 +381,55 @@ void vtkMetaballField::Make(const FieldInput& input, const GridGeometry& geometr
 }
 
 //------------------------------------------------------------------------------
-bool vtkMetaballField::Blend(const FieldInput& input, const GridGeometry& geometry,
+bool vtkMetaballField::Blend(const PackingCharges& charges, const GridGeometry& geometry,
   vtkUnsignedCharArray* colors, int channel, vtkFloatArray* field, vtkUnsignedCharArray* blend)
 {
-  // Enough for all cores; the parts that are not yet mixed are kept for so many alone.
+  // Blocks at a time: enough for all cores, and few enough for a small array of what they make.
   constexpr std::ptrdiff_t together = 16;
   FieldScene scene;
   try
   {
     scene = this->Prepare(
-      input, geometry, colors->GetPointer(0), channel, colors->GetNumberOfComponents());
+      charges, geometry, colors->GetPointer(0), channel, colors->GetNumberOfComponents());
   }
   catch (const AbortRequest&)
   {
     return false;
   }
   const std::vector<FieldBlock> blocks = spherepacking::CutIntoBlocks(scene);
-  const double unit = input.MostWeight > 0.0 ? input.MostWeight : 1.0;
-  const double share = 0.25 / static_cast<double>(blocks.size());
+  const double unit = charges.MaxWeight > 0.0 ? charges.MaxWeight : 1.0;
+  const double progress = 0.25 / static_cast<double>(blocks.size());
   const FieldBlock* const end = blocks.data() + blocks.size();
-  std::vector<float> part;
-  bool go = true;
-  for (const FieldBlock* first = blocks.data(); go && first < end;)
+  std::vector<float> weighted;
+  bool completed = true;
+  for (const FieldBlock* first = blocks.data(); completed && first < end;)
   {
     const FieldBlock* last = first;
     while (last < end && (last - first < together || last->First[2] == last[-1].First[2]))
     {
-      ++last; // whole layers of blocks
+      ++last; // in whole layers, whose points are contiguous
     }
     spherepacking::FieldGrid& grid = scene.Grid;
-    grid.FirstPlace = 0;
-    const std::int64_t low = grid.Place(0, 0, first->First[2]);
-    const std::int64_t high = grid.Place(0, 0, last[-1].First[2] + last[-1].Count[2]);
-    part.resize(static_cast<std::size_t>(high - low));
-    grid.Field = part.data();
-    grid.FirstPlace = low;
-    const double from = 0.25 * (channel + 1) + share * static_cast<double>(first - blocks.data());
-    go = this->Run(scene, { first, last }, from, from + share * static_cast<double>(last - first));
+    grid.FirstIndex = 0;
+    const std::int64_t low = grid.Index(0, 0, first->First[2]);
+    const std::int64_t high = grid.Index(0, 0, last[-1].First[2] + last[-1].Count[2]);
+    weighted.resize(static_cast<std::size_t>(high - low));
+    grid.Field = weighted.data();
+    grid.FirstIndex = low;
+    const double from =
+      0.25 * (channel + 1) + progress * static_cast<double>(first - blocks.data());
+    completed = this->SumBlocks(
+      scene, { first, last }, from, from + progress * static_cast<double>(last - first));
     for (std::int64_t i = low; i < high; ++i)
     {
-      const float whole = field->GetValue(i);
+      const float sum = field->GetValue(i);
       const float mean =
-        whole > 0.0f ? std::min(1.0f, static_cast<float>(part[i - low] * unit / whole)) : 0.0f;
+        sum > 0.0f ? std::min(1.0f, static_cast<float>(weighted[i - low] * unit / sum)) : 0.0f;
       blend->SetTypedComponent(i, channel, static_cast<unsigned char>(255.0f * mean + 0.5f));
     }
     first = last;
   }
-  return go;
+  return completed;
 }
 
 //------------------------------------------------------------------------------

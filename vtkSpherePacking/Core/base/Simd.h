@@ -19,6 +19,10 @@
 #define SPHEREPACKING_ISA AnyProcessor
 #endif
 
+/// Always inlined: for functions outside of that namespace, so that nobody calls what was compiled
+/// for another processor.
+#define SPHEREPACKING_INLINE inline __attribute__((always_inline))
+
 namespace spherepacking
 {
 inline namespace SPHEREPACKING_ISA

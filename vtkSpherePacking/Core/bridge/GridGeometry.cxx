@@ -2,10 +2,10 @@
 #include "bridge/GridGeometry.h"
 
 #include "bridge/CoordinateRange.h"
-#include "bridge/FieldInput.h"
+#include "bridge/EncloseSurface.h"
 #include "bridge/Guard.h"
 #include "bridge/MemoryLimit.h"
-#include "bridge/SurfaceBox.h"
+#include "bridge/PackingCharges.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,33 +15,33 @@ namespace spherepacking
 {
 namespace
 {
-// A tenth of the longest side more than the bounds of the spheres.
-void WidenBounds(const FieldInput& input, double (&bounds)[6])
+// The bounds of the spheres with a margin of a tenth of their longest side.
+void AddMargin(const PackingCharges& charges, double (&bounds)[6])
 {
   double length = 0.0;
   for (int axis = 0; axis < 3; ++axis)
   {
-    length = std::max(length, input.Bounds[2 * axis + 1] - input.Bounds[2 * axis]);
+    length = std::max(length, charges.Bounds[2 * axis + 1] - charges.Bounds[2 * axis]);
   }
   for (int side = 0; side < 6; ++side)
   {
-    const double room = 0.1 * (length > 0.0 ? length : 1.0);
-    bounds[side] = input.Bounds[side] + (side % 2 ? room : -room);
+    const double margin = 0.1 * (length > 0.0 ? length : 1.0);
+    bounds[side] = charges.Bounds[side] + (side % 2 ? margin : -margin);
   }
 }
 
-void FindBounds(const GridRequest& request, const FieldInput& input, double (&bounds)[6])
+void FindBounds(const GridRequest& request, const PackingCharges& charges, double (&bounds)[6])
 {
-  const int most = *std::max_element(request.Dimensions, request.Dimensions + 3);
+  const int largest = *std::max_element(request.Dimensions, request.Dimensions + 3);
   if (request.HasBounds())
   {
     std::copy_n(request.ModelBounds, 6, bounds);
   }
-  else if (!input.Empty() &&
+  else if (!charges.Empty() &&
     !(request.Threshold > 0.0 &&
-      EncloseSurface(input, request.Kind, request.Threshold, std::min(most, 512), bounds)))
+      EncloseSurface(charges, request.Kind, request.Threshold, std::min(largest, 512), bounds)))
   {
-    WidenBounds(input, bounds);
+    AddMargin(charges, bounds);
   }
   try
   {
@@ -61,7 +61,8 @@ void FindBounds(const GridRequest& request, const FieldInput& input, double (&bo
 
 void CheckSize(const GridRequest& request, const GridGeometry& grid)
 {
-  // Images have the coordinates along each axis, and there are three of them on the way.
+  // A vtkImageData stores the coordinates along each axis, 8 bytes each; up to three images exist
+  // at the same time.
   const double axes =
     24.0 * (static_cast<double>(grid.Dimensions[0]) + grid.Dimensions[1] + grid.Dimensions[2]);
   if (grid.Points() * request.BytesPerPoint + axes > HalfOfMemory())
@@ -106,10 +107,10 @@ void CheckGridRequest(const GridRequest& request)
 }
 
 //------------------------------------------------------------------------------
-GridGeometry PlaceGrid(const GridRequest& request, const FieldInput& input)
+GridGeometry ResolveGrid(const GridRequest& request, const PackingCharges& charges)
 {
   double bounds[6] = { -0.5, 0.5, -0.5, 0.5, -0.5, 0.5 };
-  FindBounds(request, input, bounds);
+  FindBounds(request, charges, bounds);
   GridGeometry grid;
   for (int axis = 0; axis < 3; ++axis)
   {

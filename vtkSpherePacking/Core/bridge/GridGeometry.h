@@ -6,9 +6,9 @@
 
 namespace spherepacking
 {
-class FieldInput;
+class PackingCharges;
 
-/// A regular grid in the packing's space.
+/// A regular grid in the packing's coordinates.
 struct GridGeometry
 {
   double Origin[3];
@@ -21,13 +21,13 @@ struct GridGeometry
   }
 };
 
-/// What a user may say of the grid of a field; the members are those of vtkMetaballField.
+/// What determines the grid of a field; the members are those of vtkMetaballField.
 struct GridRequest
 {
   int Dimensions[3];
-  double Spacing[3];     ///< instead of dimensions, if the first is above 0
-  double ModelBounds[6]; ///< if the first is not above the second
-  double Threshold;      ///< of the surface that is to close inside, if above 0
+  double Spacing[3];     ///< in place of the dimensions if the first is above 0
+  double ModelBounds[6]; ///< unused if the first is above the second
+  double Threshold;      ///< of the isosurface that is to be closed inside the grid, if above 0
   BlobKind Kind;
   double BytesPerPoint; ///< of the arrays on the grid
 
@@ -35,11 +35,12 @@ struct GridRequest
   bool HasSpacing() const { return this->Spacing[0] > 0.0; }
 };
 
-/// Throws a std::invalid_argument for numbers that make no grid whatever the packing is.
+/// Throws a std::invalid_argument for a request that makes no grid whatever the packing is.
 void CheckGridRequest(const GridRequest& request);
 
-/// Where the grid lies. A std::invalid_argument if it would be flat, too far away or too large.
-GridGeometry PlaceGrid(const GridRequest& request, const FieldInput& input);
+/// The grid of a request for the field of a packing. Throws a std::invalid_argument if it would be
+/// flat, beyond the range of coordinates or too large for the memory.
+GridGeometry ResolveGrid(const GridRequest& request, const PackingCharges& charges);
 }
 
 #endif
