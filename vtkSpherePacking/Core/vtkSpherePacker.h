@@ -97,7 +97,11 @@ private:
   void operator=(const vtkSpherePacker&) = delete;
 
   void Pack(vtkPolyData* surface, vtkPolyData* output);
-  std::function<bool()> Watch();
+  void CheckParameters() const;
+  [[noreturn]] void RefuseForNoSphere() const;
+
+  // Reports progress now and then; returns whether to go on.
+  std::function<bool()> AbortCheck();
 
   int NumberOfSpheres = 1000;
   double MinimumRadius = 0.0;

@@ -27,9 +27,9 @@ public:
 
   /// Centres, x y z x y z ..., and radii; `Real` must be float exactly when IsSingle().
   template <typename Real>
-  Real* Centres() const
+  Real* Centers() const
   {
-    return vtkAOSDataArrayTemplate<Real>::FastDownCast(this->CentreArray)->GetPointer(0);
+    return vtkAOSDataArrayTemplate<Real>::FastDownCast(this->CenterArray)->GetPointer(0);
   }
   template <typename Real>
   Real* Radii() const
@@ -52,7 +52,7 @@ public:
 private:
   vtkIdType Count;
   bool Single;
-  vtkSmartPointer<vtkDataArray> CentreArray;
+  vtkSmartPointer<vtkDataArray> CenterArray;
   vtkSmartPointer<vtkDataArray> RadiusArray;
   std::vector<vtkSmartPointer<vtkDataArray>> Extras;
 };

@@ -50,7 +50,7 @@ template <typename Real>
 void Unpack(const ReadOptions& options, const FileBytes& bytes, double scale, PackingArrays& arrays,
   Progress& progress)
 {
-  Real* const centres = arrays.Centres<Real>();
+  Real* const centres = arrays.Centers<Real>();
   Real* const radii = arrays.Radii<Real>();
   constexpr vtkIdType none = std::numeric_limits<vtkIdType>::max();
   std::atomic<vtkIdType> firstBad{ none };

@@ -138,7 +138,7 @@ void ParseInto(PackingArrays& arrays, const std::string& file, const char* textE
   }
   const auto isText = std::make_unique<std::atomic<bool>[]>(columns);
   const RowParser<Real, Scaled> parser(
-    layout, textEnd, arrays.Centres<Real>(), arrays.Radii<Real>(), extras, isText.get());
+    layout, textEnd, arrays.Centers<Real>(), arrays.Radii<Real>(), extras, isText.get());
 
   std::vector<BadRow> bad(chunks.size());
   std::atomic<bool> failed{ false };
