@@ -137,12 +137,12 @@ bool LiesWithin(const SurfaceMesh& mesh, const TriangleIds& shell, const Triangl
   for (std::size_t i = 0; i < shell.size(); i += step)
   {
     const Triangle& triangle = mesh.Triangles[shell[i]];
-    const Vector3 middle = (1.0 / 3.0) *
+    const Vector3 centroid = (1.0 / 3.0) *
       (mesh.Corner(triangle, 0) + mesh.Corner(triangle, 1) + mesh.Corner(triangle, 2));
     // Near the corners, which are the first to poke out.
     for (int corner = 0; corner < 3; ++corner)
     {
-      const Vector3 point = middle + 0.9 * (mesh.Corner(triangle, corner) - middle);
+      const Vector3 point = centroid + 0.9 * (mesh.Corner(triangle, corner) - centroid);
       double distance = touching;
       TriangleTree::Nearest nearest;
       if (other.FindNearest(point, distance, nearest))
