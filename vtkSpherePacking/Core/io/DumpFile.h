@@ -36,7 +36,7 @@ struct DumpHeader
 };
 
 /// Reads the header of the step that `text` holds.
-DumpHeader ReadDumpHeader(const std::string& file, const TextRange& text);
+DumpHeader ReadDumpHeader(const TextRange& text);
 }
 
 #endif

@@ -6,7 +6,6 @@
 #include "io/TextChunks.h"
 #include "io/Utf8Mark.h"
 
-#include "vtkErrorCode.h"
 #include "vtksys/SystemTools.hxx"
 
 #include <map>
@@ -21,7 +20,7 @@ bool BeginsWith(std::string_view text, std::string_view word)
   return text.substr(0, word.size()) == word;
 }
 
-// Lines say what they are by their first words; only YADE writes #format.
+// By the first word of the first lines, up to one that is no comment; only YADE writes #format.
 Format FormatOfText(const char* begin, const char* end)
 {
   LineFinder find(end);
@@ -83,9 +82,8 @@ Format GuessFormat(const std::string& file)
 }
 
 //------------------------------------------------------------------------------
-void ThrowNoSphere(const std::string& file, const std::string& expected)
+void ThrowNoSphere(const std::string& expected)
 {
-  throw PackingFileError(
-    vtkErrorCode::FileFormatError, file + ": holds no sphere, expected " + expected);
+  throw ContentError("holds no sphere, expected " + expected);
 }
 }

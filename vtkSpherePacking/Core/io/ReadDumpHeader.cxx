@@ -19,9 +19,8 @@ using Fields = std::vector<std::string_view>;
 class HeaderScanner
 {
 public:
-  HeaderScanner(const std::string& file, const TextRange& text)
-    : File(file)
-    , Text(text)
+  explicit HeaderScanner(const TextRange& text)
+    : Text(text)
     , Find(text.End)
     , Next(text.Begin)
     , NextLine(text.FirstLine)
@@ -51,7 +50,7 @@ public:
       }
       else if (!is("ITEM:"))
       {
-        ThrowAtLine(this->File, this->NextLine - 1,
+        throw LineError(this->NextLine - 1,
           "found " + this->QuoteLine() + ", expected a line that begins with ITEM:");
       }
       else
@@ -61,8 +60,8 @@ public:
     }
     if (header.Count < 0)
     {
-      ThrowAtLine(this->File, this->NextLine - 1,
-        "found ITEM: ATOMS, expected ITEM: NUMBER OF ATOMS before it");
+      throw LineError(
+        this->NextLine - 1, "found ITEM: ATOMS, expected ITEM: NUMBER OF ATOMS before it");
     }
     this->SetColumns(header.Layout);
     header.Atoms = { this->Next, this->Text.End, this->NextLine };
@@ -75,8 +74,7 @@ private:
   {
     if (this->Next == this->Text.End)
     {
-      ThrowAtLine(
-        this->File, this->NextLine - 1, "found the end of the step, expected " + expected);
+      throw LineError(this->NextLine - 1, "found the end of the step, expected " + expected);
     }
     const char* end = this->Find(this->Next);
     this->Line = std::string_view(this->Next, end - this->Next);
@@ -101,8 +99,8 @@ private:
       const char* end = field.data() + field.size();
       if (ParseNumber(field.data(), end, value) != end || !std::isfinite(value))
       {
-        ThrowAtLine(
-          this->File, this->NextLine - 1, "found " + this->QuoteLine() + ", expected " + expected);
+        throw LineError(
+          this->NextLine - 1, "found " + this->QuoteLine() + ", expected " + expected);
       }
       numbers.push_back(value);
     }
@@ -117,8 +115,7 @@ private:
     if (numbers.size() != 1 || numbers[0] < 0 || numbers[0] > most ||
       numbers[0] != std::floor(numbers[0]))
     {
-      ThrowAtLine(
-        this->File, this->NextLine - 1, "found " + this->QuoteLine() + ", expected " + expected);
+      throw LineError(this->NextLine - 1, "found " + this->QuoteLine() + ", expected " + expected);
     }
     return static_cast<vtkIdType>(numbers[0]);
   }
@@ -134,7 +131,7 @@ private:
       row = this->ReadNumbers("2 to 4 numbers that bound the box");
       if (row.size() < 2 || row.size() > 4 || row.size() != rows[0].size())
       {
-        ThrowAtLine(this->File, this->NextLine - 1,
+        throw LineError(this->NextLine - 1,
           "found " + this->QuoteLine() + ", expected 2 to 4 numbers that bound the box");
       }
     }
@@ -192,19 +189,19 @@ private:
     }
     if (!columns)
     {
-      ThrowAtLine(this->File, this->NextLine - 1,
+      throw LineError(this->NextLine - 1,
         "found the columns " + this->QuoteLine() +
           ", expected x, y, z (or xu, xs, xsu and so on) and radius or diameter");
     }
     if (!complaint.empty())
     {
-      ThrowAtLine(this->File, this->NextLine - 1, complaint);
+      throw LineError(this->NextLine - 1, complaint);
     }
     if (family - families.begin() >= 2)
     {
       if (!this->Box)
       {
-        ThrowAtLine(this->File, this->NextLine - 1,
+        throw LineError(this->NextLine - 1,
           "found centres as fractions of the box, expected ITEM: BOX BOUNDS before them");
       }
       layout.Box = this->Box;
@@ -213,7 +210,6 @@ private:
     layout.Expected = DescribeColumns(layout.Columns);
   }
 
-  const std::string& File;
   TextRange Text;
   LineFinder Find;
   const char* Next;
@@ -254,9 +250,9 @@ const char* AtomsEnd(const TextRange& text)
 }
 
 //------------------------------------------------------------------------------
-DumpHeader ReadDumpHeader(const std::string& file, const TextRange& text)
+DumpHeader ReadDumpHeader(const TextRange& text)
 {
-  DumpHeader header = HeaderScanner(file, text).Scan();
+  DumpHeader header = HeaderScanner(text).Scan();
   header.Atoms.End = AtomsEnd(header.Atoms);
   MarkText(header);
   return header;

@@ -40,12 +40,12 @@ class RowParser
 public:
   /// `extras` has a pointer for each column whose role is Extra, and null for the others. A column
   /// of these that turns out not to be numeric has its place in `isText` set.
-  RowParser(const TableLayout& layout, const char* textEnd, Real* centres, Real* radii,
+  RowParser(const TableLayout& layout, const char* textEnd, Real* centers, Real* radii,
     std::vector<double*> extras, std::atomic<bool>* isText)
     : Layout(layout)
     , Between(layout.Between)
     , TextEnd(textEnd)
-    , Centres(centres)
+    , Centers(centers)
     , Radii(radii)
     , Extras(std::move(extras))
     , IsText(isText)
@@ -67,7 +67,7 @@ public:
       return end;
     }
     const int count = static_cast<int>(this->Roles.size());
-    Coordinate centre[3];
+    Coordinate center[3];
     p = this->Between.SkipBlanks(p);
     for (int column = 0; column < count; ++column)
     {
@@ -81,7 +81,7 @@ public:
       const ColumnRole role = this->Roles[column];
       if (role <= ColumnRole::Z)
       {
-        p = this->ParseFinite(p, column, centre[static_cast<int>(role)], fault);
+        p = this->ParseFinite(p, column, center[static_cast<int>(role)], fault);
       }
       else if (role <= ColumnRole::Diameter)
       {
@@ -116,7 +116,7 @@ public:
       fault = { RowFault::TooManyColumns, count, p };
       return nullptr;
     }
-    return this->StoreCentre(centre, row, fault) ? p : nullptr;
+    return this->StoreCenter(center, row, fault) ? p : nullptr;
   }
 
 private:
@@ -131,7 +131,7 @@ private:
     {
       return nullptr;
     }
-    std::copy_n(values, 3, this->Centres + 3 * row);
+    std::copy_n(values, 3, this->Centers + 3 * row);
     this->Radii[row] = values[3];
     return end;
   }
@@ -219,16 +219,16 @@ private:
 
   const char* SkipField(const char* p) const { return this->Between.FieldEnd(p); }
 
-  bool StoreCentre(const Coordinate (&centre)[3], vtkIdType row, RowFault& fault) const
+  bool StoreCenter(const Coordinate (&center)[3], vtkIdType row, RowFault& fault) const
   {
-    Real* const to = this->Centres + 3 * row;
+    Real* const to = this->Centers + 3 * row;
     for (int axis = 0; axis < 3; ++axis)
     {
       if constexpr (Scaled)
       {
         const BoxFrame& box = *this->Layout.Box;
-        to[axis] = static_cast<Real>(box.Origin[axis] + centre[0] * box.Edges[0][axis] +
-          centre[1] * box.Edges[1][axis] + centre[2] * box.Edges[2][axis]);
+        to[axis] = static_cast<Real>(box.Origin[axis] + center[0] * box.Edges[0][axis] +
+          center[1] * box.Edges[1][axis] + center[2] * box.Edges[2][axis]);
         if (!std::isfinite(to[axis]))
         {
           const auto column =
@@ -239,7 +239,7 @@ private:
       }
       else
       {
-        to[axis] = centre[axis];
+        to[axis] = center[axis];
       }
     }
     return true;
@@ -248,7 +248,7 @@ private:
   const TableLayout& Layout;
   const Separators Between;
   const char* TextEnd;
-  Real* Centres;
+  Real* Centers;
   Real* Radii;
   std::vector<double*> Extras;
   std::atomic<bool>* IsText;

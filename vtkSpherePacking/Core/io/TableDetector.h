@@ -6,8 +6,6 @@
 #include "io/TableLayout.h"
 #include "io/TextLines.h"
 
-#include <string>
-
 namespace spherepacking
 {
 /**
@@ -15,7 +13,7 @@ namespace spherepacking
  * or else from the first row. On return `text` begins after a header that is no comment. Throws
  * when there is no row or no telling where the sphere is.
  */
-TableLayout DetectTable(const std::string& file, Format format, TextRange& text);
+TableLayout DetectTable(Format format, TextRange& text);
 }
 
 #endif

@@ -89,8 +89,7 @@ void ParseChunk(
   }
 }
 
-[[noreturn]] void ThrowBadRow(
-  const std::string& file, const TextChunk& chunk, const TableLayout& layout, const BadRow& bad)
+[[noreturn]] void ThrowBadRow(const TextChunk& chunk, const TableLayout& layout, const BadRow& bad)
 {
   const vtkIdType line = chunk.FirstLine + CountLineEnds(chunk.Begin, bad.Line);
   const RowFault& fault = bad.Fault;
@@ -102,7 +101,7 @@ void ParseChunk(
     {
       ++end;
     }
-    ThrowAtLine(file, line,
+    throw LineError(line,
       "found " + std::to_string(found) + (found == 1 ? " column " : " columns ") +
         Quote(SkipBlanks(bad.Line, end), end) + ", expected " + layout.Expected);
   }
@@ -120,12 +119,12 @@ void ParseChunk(
   const std::string place = layout.Rows == RowKind::Atom
     ? " (" + layout.Expected + ")"
     : " in column " + std::to_string(fault.Column + 1);
-  ThrowAtLine(file, line, "found " + field + " as " + name + place + ", expected " + expected);
+  throw LineError(line, "found " + field + " as " + name + place + ", expected " + expected);
 }
 
 template <typename Real, bool Scaled>
-void ParseInto(PackingArrays& arrays, const std::string& file, const char* textEnd,
-  const TableLayout& layout, const std::vector<TextChunk>& chunks, Progress& progress)
+void ParseInto(PackingArrays& arrays, const char* textEnd, const TableLayout& layout,
+  const std::vector<TextChunk>& chunks, Progress& progress)
 {
   const std::size_t columns = layout.Columns.size();
   std::vector<double*> extras(columns, nullptr);
@@ -148,7 +147,7 @@ void ParseInto(PackingArrays& arrays, const std::string& file, const char* textE
     {
       if (bad[i].Line)
       {
-        ThrowBadRow(file, chunks[i], layout, bad[i]);
+        ThrowBadRow(chunks[i], layout, bad[i]);
       }
     }
   };
@@ -178,14 +177,14 @@ void ParseInto(PackingArrays& arrays, const std::string& file, const char* textE
 }
 
 //------------------------------------------------------------------------------
-PackingArrays ParseTable(const std::string& file, const char* textEnd, const TableLayout& layout,
+PackingArrays ParseTable(const char* textEnd, const TableLayout& layout,
   const std::vector<TextChunk>& chunks, bool single, Progress& progress)
 {
   PackingArrays arrays(CountRows(chunks), single);
   const bool scaled = layout.Box.has_value();
   const auto parse = single ? (scaled ? ParseInto<float, true> : ParseInto<float, false>)
                             : (scaled ? ParseInto<double, true> : ParseInto<double, false>);
-  parse(arrays, file, textEnd, layout, chunks, progress);
+  parse(arrays, textEnd, layout, chunks, progress);
   return arrays;
 }
 }

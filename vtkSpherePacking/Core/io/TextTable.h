@@ -17,7 +17,7 @@ namespace spherepacking
  * for the first row of the file that does not fit `layout`; `file` is its name, `textEnd` where
  * the text that holds the chunks ends.
  */
-PackingArrays ParseTable(const std::string& file, const char* textEnd, const TableLayout& layout,
+PackingArrays ParseTable(const char* textEnd, const TableLayout& layout,
   const std::vector<TextChunk>& chunks, bool single, Progress& progress);
 }
 
