@@ -111,15 +111,15 @@ char FindDelimiter(const TextRange& header, std::string_view delimiters)
   return 0;
 }
 
-std::vector<Column> ColumnsFromHeader(
-  const TextRange& line, const Separators& between, std::string_view expected)
+std::vector<Column> ColumnsFromHeader(const TextRange& line, const Separators& between)
 {
   std::string complaint;
   const auto columns = ColumnsFromNames(between.Split(line.Begin), complaint);
   if (!columns)
   {
     throw LineError(line.FirstLine,
-      "found the columns " + Quote(line.Begin, line.End) + ", expected " + std::string(expected));
+      "found the columns " + Quote(line.Begin, line.End) +
+        ", expected a header that names x, y, z and one of r, radius, d, diameter");
   }
   if (!complaint.empty())
   {
@@ -255,8 +255,7 @@ void DetectCsv(const Head& head, TableLayout& layout, TextRange& text)
   {
     return;
   }
-  layout.Columns = ColumnsFromHeader(
-    head.Row, layout.Between, "a header that names x, y, z and one of r, radius, d, diameter");
+  layout.Columns = ColumnsFromHeader(head.Row, layout.Between);
   text = { SkipLineEnd(head.Row.End, text.End), text.End, head.Row.FirstLine + 1 };
   MarkTextColumns(layout, FindHead(text).Row.Begin);
 }
@@ -272,7 +271,7 @@ void DetectPlain(Format format, const Head& head, TableLayout& layout, TextRange
     {
       layout.Between = Separators::Strict(delimiter);
     }
-    layout.Columns = ColumnsFromHeader(head.Row, layout.Between, "");
+    layout.Columns = ColumnsFromHeader(head.Row, layout.Between);
     text = { SkipLineEnd(head.Row.End, text.End), text.End, head.Row.FirstLine + 1 };
     MarkTextColumns(layout, FindHead(text).Row.Begin);
     return;
