@@ -22,7 +22,7 @@ using namespace spherepacking;
 static_assert(vtkSpherePackingReader::AUTO == static_cast<int>(Format::Auto) &&
     vtkSpherePackingReader::XYZD == static_cast<int>(Format::Xyzd) &&
     vtkSpherePackingReader::SPHERE_TREE == static_cast<int>(Format::SphereTree),
-  "the formats inside and outside go by the same numbers");
+  "Format and FileFormats must have the same values");
 
 class vtkSpherePackingReader::Internals
 {
@@ -108,8 +108,8 @@ int vtkSpherePackingReader::RequestData(
     return 1;
   }
   output->Initialize();
-  // The next update tries again. A return of 0 would do that too, but then the executive reports
-  // an error of its own, which says nothing.
+  // Makes the next update try again. A return of 0 would do that, too, but the executive would then
+  // report an uninformative error of its own.
   outInfo->Set(vtkDemandDrivenPipeline::DATA_NOT_GENERATED(), 1);
   return 1;
 }

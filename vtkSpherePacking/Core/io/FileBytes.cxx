@@ -85,7 +85,7 @@ FileBytes FileBytes::Read(const std::string& path, Progress& progress)
 FileBytes FileBytes::ReadRange(
   const std::string& path, unsigned long long offset, unsigned long long length, Progress& progress)
 {
-  // Blocks are read side by side, since most of the time goes into the first touch of the memory.
+  // In parallel since the time goes into page faults, at the first touch of the memory.
   constexpr unsigned long long block = 1 << 20;
   FileBytes bytes(length);
   std::atomic<bool> complete{ true };

@@ -33,7 +33,7 @@ struct ReadOptions
 /// The format that the extension of a file stands for; Auto if that is none or several.
 Format FormatOfExtension(const std::string& file);
 
-/// The format of `file` by its extension and, where that leaves a choice, by its first lines.
+/// Detects the format of `file` by its extension and, where that is not enough, by its first lines.
 Format GuessFormat(const std::string& file);
 
 /// Reads a file, one function per format. These open the file and name it in every error. `format`

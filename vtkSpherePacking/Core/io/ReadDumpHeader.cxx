@@ -15,7 +15,7 @@ namespace
 {
 using Fields = std::vector<std::string_view>;
 
-/// Reads the lines of a step's header in order.
+/// Reads the lines of a time step's header in order.
 class HeaderScanner
 {
 public:
@@ -69,7 +69,7 @@ public:
   }
 
 private:
-  // Moves on by a line, which has to be there.
+  // Moves on by a line, or throws if that was the last.
   bool Step(const std::string& expected)
   {
     if (this->Next == this->Text.End)
@@ -88,7 +88,7 @@ private:
     return Quote(this->Line.data(), this->Line.data() + this->Line.size());
   }
 
-  // The numbers of the next line, which has to hold nothing else.
+  // The numbers of the next line, which must hold nothing else.
   std::vector<double> ReadNumbers(const std::string& expected)
   {
     this->Step(expected);
@@ -111,9 +111,7 @@ private:
   {
     const std::string expected = "the number of atoms";
     const std::vector<double> numbers = this->ReadNumbers(expected);
-    constexpr double most = 9007199254740992.0; // 2^53, beyond which a double skips integers
-    if (numbers.size() != 1 || numbers[0] < 0 || numbers[0] > most ||
-      numbers[0] != std::floor(numbers[0]))
+    if (numbers.size() != 1 || !IsCount(numbers[0]))
     {
       throw LineError(this->NextLine - 1, "found " + this->QuoteLine() + ", expected " + expected);
     }
@@ -163,7 +161,8 @@ private:
     this->Box->Edges[2][1] = yz;
   }
 
-  // Columns from the ITEM: ATOMS line. Centres may be plain, unwrapped, or fractions of the box.
+  // Sets the columns from the ITEM: ATOMS line. Coordinates may be plain (x), unwrapped (xu),
+  // scaled, that is fractions of the box (xs), or both (xsu).
   void SetColumns(TableLayout& layout)
   {
     Fields names = Separators::Liberal().Split(this->Line.data());
@@ -218,7 +217,7 @@ private:
   std::optional<BoxFrame> Box;
 };
 
-// Text columns such as element are known by the first row.
+// Columns of text, such as element, are recognised by the first row.
 void MarkText(DumpHeader& header)
 {
   LineFinder find(header.Atoms.End);
@@ -234,7 +233,7 @@ void MarkText(DumpHeader& header)
   }
 }
 
-// Atoms go on to the next title; that of the following step may have others before it.
+// The atoms end at the next title, which need not be the ITEM: TIMESTEP of the next step.
 const char* AtomsEnd(const TextRange& text)
 {
   const std::string_view view(text.Begin, text.End - text.Begin);

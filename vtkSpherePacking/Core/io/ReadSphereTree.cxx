@@ -14,7 +14,7 @@ namespace spherepacking
 {
 namespace
 {
-/// The spheres of one level of a tree.
+/// One level of a sphere tree.
 struct Level
 {
   TextRange Text;
@@ -22,9 +22,9 @@ struct Level
 };
 
 /**
- * Walks over a sphere tree as cellPACK writes it (G. Johnson et al., "cellPACK: a virtual
- * mesoscope", 2015): the smallest and largest radius, the number of levels, and for each level a
- * count and as many lines.
+ * Finds the levels of a sphere tree as cellPACK writes it (G. Johnson et al., "cellPACK: a virtual
+ * mesoscope to model and visualize structural systems biology", 2015): the smallest and largest
+ * radius, the number of levels, and for each level a count and as many lines.
  */
 class TreeScanner
 {
@@ -122,8 +122,7 @@ private:
       this->ThrowAtEnd(Quote(this->Row.Begin, this->Row.End), what);
     }
     const double count = this->ReadNumbers(1, what);
-    constexpr double most = 9007199254740992.0; // 2^53, beyond which a double skips integers
-    if (count < 0 || count > most || count != std::floor(count))
+    if (!IsCount(count))
     {
       throw LineError(this->Row.FirstLine,
         "found " + Quote(this->Row.Begin, this->Row.End) + ", expected " + what +

@@ -13,28 +13,28 @@ namespace
 {
 using Fields = std::vector<std::string_view>;
 
-// The lines that tell the columns.
+// The lines at the beginning of a table that say what its columns are.
 struct Head
 {
-  std::string_view YadeNames;               // the word after #format
+  std::string_view YadeNames;               // the field after #format
   TextRange Comment{ nullptr, nullptr, 0 }; // the last one that names columns, if any
   TextRange Row{ nullptr, nullptr, 0 };
 };
 
-// The names that a comment may give to columns: its words, but for units and for what announces
-// names, such as "columns:".
-Fields NamesOfComment(const char* words)
+// The names that a comment may give to columns: its fields, except units and a leading label such
+// as "columns:".
+Fields NamesOfComment(const char* comment)
 {
   Fields names;
-  for (std::string_view word : Separators::Liberal().Split(words))
+  for (std::string_view name : Separators::Liberal().Split(comment))
   {
-    const bool colon = !word.empty() && word.back() == ':';
-    const bool announces = colon && names.empty() && word.size() > 2;
-    const bool unit = !word.empty() && (word.front() == '(' || word.front() == '[');
-    if (!announces && !unit)
+    const bool colon = !name.empty() && name.back() == ':';
+    const bool label = colon && names.empty() && name.size() > 2;
+    const bool unit = !name.empty() && (name.front() == '(' || name.front() == '[');
+    if (!label && !unit)
     {
-      word.remove_suffix(colon ? 1 : 0);
-      names.push_back(word);
+      name.remove_suffix(colon ? 1 : 0);
+      names.push_back(name);
     }
   }
   return names;
@@ -56,18 +56,18 @@ Head FindHead(const TextRange& text)
     }
     if (first != end)
     {
-      const char* words = first;
-      while (words != end && *words == '#')
+      const char* comment = first;
+      while (comment != end && *comment == '#')
       {
-        ++words;
+        ++comment;
       }
       std::string complaint;
-      if (ColumnsFromNames(NamesOfComment(words), complaint))
+      if (ColumnsFromNames(NamesOfComment(comment), complaint))
       {
-        head.Comment = { words, end, number };
+        head.Comment = { comment, end, number };
       }
-      const Fields fields = Separators::Liberal().Split(words);
-      if (first + 1 == words && fields.size() >= 2 && fields[0] == "format" && *words == 'f')
+      const Fields fields = Separators::Liberal().Split(comment);
+      if (first + 1 == comment && fields.size() >= 2 && fields[0] == "format" && *comment == 'f')
       {
         head.YadeNames = fields[1];
       }
@@ -77,8 +77,8 @@ Head FindHead(const TextRange& text)
   ThrowNoSphere("lines of x y z radius");
 }
 
-// 1,5 for one and a half: a comma right between digits in a line that has other separators too
-// and no point. Taken as a separator it would pass two numbers off as four.
+// Whether a row has commas right between digits, as in 1,5 for one and a half, besides other
+// separators and no point. Taken for separators they would make two numbers of each.
 bool HasDecimalCommas(const TextRange& row)
 {
   bool bareComma = false;
@@ -128,7 +128,7 @@ std::vector<Column> ColumnsFromHeader(const TextRange& line, const Separators& b
   return *columns;
 }
 
-// Names for `fields` whose sphere is at the given places.
+// Numbered columns for `fields`, but for x, y, z and radius at the given indices.
 std::vector<Column> NamelessColumns(const Fields& fields, const std::vector<std::size_t>& sphere)
 {
   std::vector<Column> columns;
@@ -136,11 +136,11 @@ std::vector<Column> NamelessColumns(const Fields& fields, const std::vector<std:
   {
     columns.push_back({ ColumnRole::Extra, "column_" + std::to_string(i + 1) });
   }
-  const Column parts[4] = { { ColumnRole::X, "x" }, { ColumnRole::Y, "y" }, { ColumnRole::Z, "z" },
-    { ColumnRole::Radius, "radius" } };
+  const Column components[4] = { { ColumnRole::X, "x" }, { ColumnRole::Y, "y" },
+    { ColumnRole::Z, "z" }, { ColumnRole::Radius, "radius" } };
   for (std::size_t i = 0; i < 4; ++i)
   {
-    columns[sphere[i]] = parts[i];
+    columns[sphere[i]] = components[i];
   }
   return columns;
 }

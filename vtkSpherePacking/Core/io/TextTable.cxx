@@ -19,11 +19,12 @@ struct BadRow
   RowFault Fault{};
 };
 
-// Whether ATOM, number, name, residue and number of the residue stand in [begin, end), at least.
-// Without one of these, what is last in the record is something else than it should be.
-bool HasFrontOfAtom(const TableLayout& layout, const char* begin, const char* end)
+// Whether [begin, end) has the fields that come first in an ATOM record: ATOM, number, name,
+// residue and number of the residue, at least. If one is missing, the last fields are not those
+// expected.
+bool HasLeadingFields(const TableLayout& layout, const char* begin, const char* end)
 {
-  constexpr std::size_t least = 5;
+  constexpr std::size_t minimum = 5;
   std::size_t count = 0;
   std::string_view last;
   for (const char* p = SkipBlanks(begin, end); p != end; p = SkipBlanks(p, end))
@@ -34,12 +35,13 @@ bool HasFrontOfAtom(const TableLayout& layout, const char* begin, const char* en
     p = next;
     ++count;
   }
-  // A chain's letter in the place of the residue's number: that has no digit.
-  return count > least || (count == least && last.find_first_of("0123456789") != last.npos);
+  // With five, the last is the residue's number, and not the letter of a chain without digits.
+  return count > minimum || (count == minimum && last.find_first_of("0123456789") != last.npos);
 }
 
-// Where the fields of interest begin in an ATOM record, which has them last, after a varying
-// number of others (T. Dolinsky et al., "PDB2PQR", 2004).
+// Where the layout's columns begin in an ATOM record, which has them last, after a varying number
+// of others (T. Dolinsky et al., "PDB2PQR: an automated pipeline for the setup of
+// Poisson-Boltzmann electrostatics calculations", 2004).
 const char* FirstField(const TableLayout& layout, const char* begin, const char* end)
 {
   const char* p = end;
@@ -70,7 +72,7 @@ void ParseChunk(
     {
       const bool atom = layout.Rows == RowKind::Atom;
       const char* first = atom ? FirstField(layout, p, find(p)) : p;
-      if (atom && !HasFrontOfAtom(layout, p, first))
+      if (atom && !HasLeadingFields(layout, p, first))
       {
         bad = { p, p, { RowFault::TooFewColumns, 0, p } };
         return;
@@ -84,7 +86,7 @@ void ParseChunk(
       }
       ++row;
     }
-    // Parsing leaves off at the line end, except for a comment after the numbers.
+    // Parsing stops at the line end, or at a comment after the numbers.
     p = SkipLineEnd(IsLineEnd(*end) ? end : find(end), chunk.End);
   }
 }
@@ -106,7 +108,7 @@ void ParseChunk(
         Quote(SkipBlanks(bad.Line, end), end) + ", expected " + layout.Expected);
   }
   const Column& column = layout.Columns[fault.Column];
-  // A radius is called one even when the column is called r.
+  // A radius is called so even if the column is called r.
   const std::string name = column.Role == ColumnRole::Radius ? "radius"
     : column.Role == ColumnRole::Diameter                    ? "diameter"
                                                              : column.Name;
@@ -115,11 +117,11 @@ void ParseChunk(
   const char* expected = fault.What == RowFault::NotANumber ? "a number"
     : fault.What == RowFault::NotFinite                     ? "a finite number"
                                                             : "a number that is not negative";
-  // The fields of an ATOM record are counted from its end, so a number would mislead.
-  const std::string place = layout.Rows == RowKind::Atom
+  // The columns of an ATOM record are counted from its end, so a number would mislead.
+  const std::string where = layout.Rows == RowKind::Atom
     ? " (" + layout.Expected + ")"
     : " in column " + std::to_string(fault.Column + 1);
-  throw LineError(line, "found " + field + " as " + name + place + ", expected " + expected);
+  throw LineError(line, "found " + field + " as " + name + where + ", expected " + expected);
 }
 
 template <typename Real, bool Scaled>

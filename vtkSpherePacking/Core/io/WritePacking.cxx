@@ -41,7 +41,7 @@ std::string CsvField(const std::string& name)
     "header of a CSV file");
 }
 
-// The centre, the radius and the arrays that the format has room for.
+// The centre, the radius and the point arrays that the format can hold.
 std::vector<WrittenColumn> ChooseColumns(const WriteOptions& options)
 {
   vtkDataArray* centers = options.Packing->GetPoints()->GetData();
@@ -70,7 +70,7 @@ std::vector<WrittenColumn> ChooseColumns(const WriteOptions& options)
   return columns;
 }
 
-// A name that the reader would take for another column, or for one twice.
+// Throws if the reader would take the name of an array for another column, or for the same twice.
 void CheckNames(const std::vector<WrittenColumn>& columns)
 {
   std::vector<std::string_view> names;
@@ -100,7 +100,7 @@ std::string Header(const WriteOptions& options, const std::vector<WrittenColumn>
   return text + '\n';
 }
 
-// The spheres in the order of the file. Empty when that is the order of the packing.
+// The order of the spheres in the file; empty if that is the order of the points.
 std::vector<vtkIdType> LargestFirst(const WriteOptions& options)
 {
   std::vector<vtkIdType> order;
@@ -123,7 +123,7 @@ std::vector<vtkIdType> LargestFirst(const WriteOptions& options)
 void AppendText(
   std::string& text, const std::vector<WrittenColumn>& columns, vtkIdType sphere, char separator)
 {
-  char number[LongestNumber + 1];
+  char number[MaximumNumberLength + 1];
   for (const WrittenColumn& column : columns)
   {
     char* end = WriteNumber(number, column.Array->GetComponent(sphere, column.Component));
