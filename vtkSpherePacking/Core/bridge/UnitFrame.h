@@ -8,8 +8,9 @@ class vtkPolyData;
 
 namespace spherepacking
 {
-/// The coordinates that a surface is packed in, about 1 long and around the origin: one far away
-/// loses no digits on the way, and one very large or small stays in the range of single precision.
+/// Normalised coordinates, in which a surface is about 1 long and around the origin. So one that is
+/// far away loses no digits in differences, and one that is very large or small stays in the range
+/// of single precision.
 class UnitFrame
 {
 public:

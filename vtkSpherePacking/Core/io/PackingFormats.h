@@ -9,6 +9,8 @@
 
 namespace spherepacking
 {
+struct DumpStep;
+
 /// The values of vtkSpherePackingReader::FileFormats.
 enum class Format
 {
@@ -46,7 +48,6 @@ PackingArrays ReadSphereTree(
 PackingArrays ReadXyzd(const std::string& file, const ReadOptions& options, Progress& progress);
 
 /// Reads one of the steps that FindDumpSteps() found in the file.
-struct DumpStep;
 PackingArrays ReadDump(
   const std::string& file, const DumpStep& step, const ReadOptions& options, Progress& progress);
 

@@ -11,11 +11,14 @@ namespace spherepacking
 /// An upper bound of the smallest of several distances, over all points of a ball.
 ///
 /// At an offset u from the ball's centre, the distance to a sphere whose centre is at -a is at most
-/// |a| + n.u + |u|^2 / (2 |a|) less its radius, with n = a / |a|, as the square root is concave.
-/// The smallest distance is at most any convex combination of all, so in a ball of radius h it is
-/// at most the same combination of the distances at the centre, plus h times the length of that of
-/// the n, plus that of the h^2 / (2 |a|). Its weights are optimised step by step: where spheres are
-/// all around, the n cancel and the bound is hardly above the distance at the centre.
+/// d + n.u + |u|^2 / (2 |a|), where n = a / |a| and d is the distance from the ball's centre, as
+/// the square root is concave. The smallest of several distances is at most any mean of them. So in
+/// a ball of radius h, for all weights w_i of sum 1, it is at most
+///
+///   sum w_i d_i + h |sum w_i n_i| + sum w_i h^2 / (2 |a_i|).
+///
+/// The weights are optimised step by step. Where spheres are all around, the n_i cancel and the
+/// bound is hardly above the distance at the centre.
 /// Source: Frank and Wolfe, "An algorithm for quadratic programming" (1956).
 class ClearanceBound
 {
@@ -39,7 +42,8 @@ public:
     ++this->Count;
   }
 
-  /// Adds a plane, by its normal and its signed distance from the ball's centre; up to eight.
+  /// Adds a plane, by its unit normal and the signed distance of the ball's centre from it. Up
+  /// to 8.
   void AddPlane(const Vector3& normal, double distance)
   {
     this->Normals[this->Count] = normal;
@@ -82,8 +86,7 @@ public:
   }
 
 private:
-  // Moves the convex combination towards one of the distances, to the smallest bound by a ternary
-  // search.
+  // Moves weight to one of the distances, as much as gives the lowest bound, by a ternary search.
   void SearchLine(
     double otherDistance, const Vector3& otherNormal, double& distance, Vector3& normal) const
   {

@@ -9,13 +9,13 @@
 
 namespace spherepacking
 {
-/// A side of a triangle, as one of those that share an edge.
+/// A triangle's side of an edge, directed as the triangle's corners run.
 struct HalfEdge
 {
   std::int32_t Low; ///< the end of lower index
   std::int32_t High;
   std::int32_t Triangle;
-  bool Forward; ///< whether the triangle's corners run from Low to High
+  bool Forward; ///< from Low to High
 };
 
 /// The half-edges from `first` up to `last` that run forward less those that run backward.

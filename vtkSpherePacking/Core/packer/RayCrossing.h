@@ -25,7 +25,7 @@ struct RayCrossing
 
 /// The floating-point filter of a geometric predicate: the sign of a rounded sum of products, or 0
 /// if its error may be larger. `magnitude` is the sum of the products' magnitudes. The factors are
-/// differences of two numbers, two to a product for `planar` and three otherwise.
+/// differences of two numbers, two per product for `planar` and three otherwise.
 /// Source: Shewchuk, "Adaptive precision floating-point arithmetic and fast robust geometric
 /// predicates" (1997), tables 2 and 3.
 inline int CertainSign(double sum, double magnitude, bool planar)
@@ -36,8 +36,8 @@ inline int CertainSign(double sum, double magnitude, bool planar)
   return sum > error ? 1 : -sum > error ? -1 : 0;
 }
 
-/// Shewchuk's orient3d: on which side of the plane through three corners a point lies, 1 where the
-/// normal points away from, -1 where it points to, 0 if that is in doubt.
+/// Shewchuk's orient3d: on which side of the plane through three corners a point lies, 1 on the one
+/// that the normal points away from, -1 on the other, 0 if that is in doubt.
 inline int Orient3D(const Vector3 (&corners)[3], const Vector3& point)
 {
   const Vector3 a = corners[0] - point;

@@ -10,8 +10,8 @@ struct AxisRay;
 
 /// A bounding volume hierarchy of triangles: nearest points, and what is inside of them.
 ///
-/// Unlike Bvh, whose rays ask for spheres in single precision, it is descended by distance, in
-/// double precision, and a node has the dipole of its triangles besides a box.
+/// Unlike Bvh, which rays traverse in single precision, it is searched by distance in double
+/// precision, and its nodes have dipoles for winding numbers.
 class TriangleTree
 {
 public:
