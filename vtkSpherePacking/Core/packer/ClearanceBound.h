@@ -13,7 +13,7 @@ namespace spherepacking
 /// At an offset u from the ball's centre, the distance to a sphere whose centre is at -a is at most
 /// d + n.u + |u|^2 / (2 |a|), where n = a / |a| and d is the distance from the ball's centre, as
 /// the square root is concave. The smallest of several distances is at most any mean of them. So in
-/// a ball of radius h, for all weights w_i of sum 1, it is at most
+/// a ball of radius h, for weights w_i >= 0 of sum 1, it is at most
 ///
 ///   sum w_i d_i + h |sum w_i n_i| + sum w_i h^2 / (2 |a_i|).
 ///
