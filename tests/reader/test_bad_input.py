@@ -130,6 +130,13 @@ TEXTS = {
         "'x,y,z,mass'",
         "one of r, radius, d, diameter",
     ),
+    "a header that its delimiter does not split": (
+        "p.spheres",
+        "x,y z;r\n1,2,3;4\n",
+        1,
+        "the columns 'x,y z;r'",
+        "a header that names x, y, z and one of r, radius, d, diameter",
+    ),
     "csv, no centre": ("p.csv", "x,y,r\n1,2,3\n", 1, "'x,y,r'", "a header that names x, y, z"),
     "csv, twice": ("p.csv", "x,y,z,r,Radius\n1,2,3,4,5\n", 1, "'r' and 'Radius'", "each name once"),
     "csv, array twice": ("p.csv", "x,y,z,r,m,m\n1,2,3,4,5,6\n", 1, "'m' and 'm'", "each name once"),
@@ -304,6 +311,15 @@ def test_a_pipe_is_not_waited_for(read_error, tmp_path, name):
     os.mkfifo(tmp_path / name)
     message, code = read_error(tmp_path / name)
     assert message == f"{tmp_path / name}: found a pipe or a device, expected a regular file"
+    assert code == CANNOT_OPEN
+
+
+@pytest.mark.parametrize("name", ["p.spheres", "p.xyzd", "p.dump"])
+def test_a_link_to_itself(read_error, tmp_path, name):
+    (tmp_path / name).symlink_to(name)
+    message, code = read_error(tmp_path / name)
+    assert message.startswith(f"{tmp_path / name}: cannot open the file (")
+    assert message.endswith("), expected a readable one")
     assert code == CANNOT_OPEN
 
 

@@ -22,7 +22,7 @@ using namespace spherepacking;
 static_assert(vtkSpherePackingReader::AUTO == static_cast<int>(Format::Auto) &&
     vtkSpherePackingReader::XYZD == static_cast<int>(Format::Xyzd) &&
     vtkSpherePackingReader::SPHERE_TREE == static_cast<int>(Format::SphereTree),
-  "the formats inside and outside go by the same numbers");
+  "Format and FileFormats must have the same values");
 
 class vtkSpherePackingReader::Internals
 {
@@ -108,8 +108,8 @@ int vtkSpherePackingReader::RequestData(
     return 1;
   }
   output->Initialize();
-  // The next update tries again. A return of 0 would do that too, but then the executive reports
-  // an error of its own, which says nothing.
+  // Makes the next update try again. A return of 0 would do that, too, but the executive would then
+  // report an uninformative error of its own.
   outInfo->Set(vtkDemandDrivenPipeline::DATA_NOT_GENERATED(), 1);
   return 1;
 }
@@ -122,24 +122,24 @@ void vtkSpherePackingReader::ReadFile(vtkInformation* outInfo, vtkPolyData* outp
     throw PackingFileError(
       vtkErrorCode::NoFileNameError, "FileName: found none, expected the name of a packing file");
   }
-  const ReadOptions options{ this->FileName, this->OutputPointsPrecision == SINGLE_PRECISION,
-    this->ChunkSize };
+  const std::string file = this->FileName;
+  const ReadOptions options{ this->OutputPointsPrecision == SINGLE_PRECISION, this->ChunkSize };
   spherepacking::Progress progress(this);
   auto format = static_cast<spherepacking::Format>(this->Format);
   if (format == Format::Auto)
   {
-    format = GuessFormat(options.File);
+    format = GuessFormat(file);
   }
   switch (format)
   {
     case Format::Xyzd:
-      ReadXyzd(options, progress).MoveTo(output);
+      ReadXyzd(file, options, progress).MoveTo(output);
       break;
     case Format::Pqr:
-      ReadPqr(options, progress).MoveTo(output);
+      ReadPqr(file, options, progress).MoveTo(output);
       break;
     case Format::SphereTree:
-      ReadSphereTree(options, progress).MoveTo(output);
+      ReadSphereTree(file, options, progress).MoveTo(output);
       break;
     case Format::Dump: {
       using SDDP = vtkStreamingDemandDrivenPipeline;
@@ -148,12 +148,12 @@ void vtkSpherePackingReader::ReadFile(vtkInformation* outInfo, vtkPolyData* outp
       {
         time = outInfo->Get(SDDP::UPDATE_TIME_STEP());
       }
-      const DumpStep step = this->Internal->Steps.Choose(options.File, time);
-      ReadDump(options, step, progress).MoveTo(output);
+      const DumpStep step = this->Internal->Steps.Choose(file, time);
+      ReadDump(file, step, options, progress).MoveTo(output);
       output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), step.Time);
       break;
     }
     default:
-      ReadTextTable(options, format, progress).MoveTo(output);
+      ReadTextTable(file, format, options, progress).MoveTo(output);
   }
 }

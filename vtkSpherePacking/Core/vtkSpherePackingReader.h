@@ -3,14 +3,14 @@
  * @class   vtkSpherePackingReader
  * @brief   read a sphere packing from a file
  *
- * The output is a vtkPolyData with a point and a vertex for each sphere and the point array
- * `radius`, which is its active scalars. Further columns of numbers become point arrays of type
- * double, named as in the file or else `column_5` and so on; a further column with text in it is
- * left out. Diameters are halved, never passed as radii.
+ * The output is a vtkPolyData with a point and a vertex per sphere and the point array `radius`,
+ * which is its active scalars. Further columns of numbers become point arrays of type double, named
+ * as in the file or else `column_5` and so on; further columns with text in them are skipped.
+ * Diameters are halved, never passed as radii.
  *
  * | format      | extension                    | content                                          |
  * |-------------|------------------------------|--------------------------------------------------|
- * | SPHERES     | .spheres, .txt, any other    | `x y z r` a line                                 |
+ * | SPHERES     | .spheres, .txt, any other    | `x y z r` per line                               |
  * | XYZR        | .xyzr                        | the last four columns of numbers are the sphere  |
  * | YADE        | any, with a line `#format`   | `#format x_y_z_r_matId` names the columns        |
  * | CSV         | .csv                         | a header names x, y, z and r, radius, d, diameter|
@@ -20,23 +20,23 @@
  * | SPHERE_TREE | .sph                         | levels of spheres, with an int array `level`     |
  *
  * Text may have blanks, tabs, commas or semicolons between the columns, blank lines, comments that
- * begin with #, a UTF-8 byte order mark, and lines that end in LF, CR LF or CR. A header, bare or
- * as the last comment before the first row, names the columns in SPHERES, XYZR and YADE too, when
- * it has x, y, z and a radius or diameter. In CSV an empty further value is NaN. Numbers are
- * rounded once, to the precision of the output, as strtod and strtof do, in any locale.
+ * begin with #, a UTF-8 byte order mark, and lines that end in LF, CR LF or CR. A header, by itself
+ * or as the last comment before the first row, names the columns in SPHERES, XYZR and YADE, too, if
+ * it has x, y, z and a radius or diameter. In CSV an empty field of a further column is NaN.
+ * Numbers are rounded once, to the precision of the output, as by strtod and strtof, in any locale.
  *
- * The diameters of .xyzd are scaled by ((1 - final) / (1 - theoretical porosity))^(1/3) when a
- * file of the same name with the extension .nfo lies beside it. The steps of a dump are the time
- * steps of the output; without a request for a time the first is read. Centres xs, ys, zs that
- * are fractions of the box are placed in it.
+ * The diameters of .xyzd are scaled by ((1 - final) / (1 - theoretical porosity))^(1/3) if there is
+ * a file of the same name with the extension .nfo in the same folder. The steps of a dump are the
+ * time steps of the output; without a request for a time the first is read. Scaled coordinates xs,
+ * ys, zs, which are fractions of the periodic box, are converted to coordinates in space.
  *
- * A file that does not fit, in any line, leaves an empty output: one error is reported through
+ * An error in any line of the file leaves the output empty: one error is reported through
  * vtkErrorMacro, GetErrorCode() is set, and GetErrorMessage() is the sentence that names the file
- * and line, what was found and what was expected. Centres have to be finite, radii finite and not
- * negative; a radius of 0 is legal. A file without spheres is an error.
+ * and line, what was found and what was expected. Centres must be finite, radii finite and not
+ * negative; a radius of 0 is valid. A file without spheres is an error.
  *
- * Text is parsed in parallel by vtkSMPTools. The peak of memory is the file (of a dump: the step)
- * and the output.
+ * Text is parsed in parallel by vtkSMPTools. The peak memory is that of the file (of a dump: the
+ * step) and of the output.
  *
  * @sa vtkSpherePackingWriter, vtkSpherePackingInput
  */
@@ -71,7 +71,7 @@ public:
 
   ///@{
   /**
-   * The file to read. Default null, with which an update reports an error.
+   * The file to read. Default null, which is an error on update.
    */
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);
@@ -80,7 +80,7 @@ public:
   ///@{
   /**
    * The format of the file. Default AUTO: by its extension, or by its content where the extension
-   * says nothing. Values outside of FileFormats are clamped.
+   * is not enough. Values outside of FileFormats are clamped.
    */
   vtkSetClampMacro(Format, int, AUTO, SPHERE_TREE);
   vtkGetMacro(Format, int);
@@ -97,8 +97,8 @@ public:
 
   ///@{
   /**
-   * How many bytes of text, at least, a thread parses at a time. From 1 on, default 262144; lower
-   * values are clamped. The output does not depend on it.
+   * The minimum number of bytes of text that a thread parses at a time, 1 or more, default 262144;
+   * lower values are clamped. The output does not depend on it.
    */
   vtkSetClampMacro(ChunkSize, vtkIdType, 1, VTK_ID_MAX);
   vtkGetMacro(ChunkSize, vtkIdType);

@@ -85,21 +85,21 @@ void vtkSpherePackingWriter::WriteFile(vtkPolyData* packing)
     throw PackingFileError(
       vtkErrorCode::NoFileNameError, "FileName: found none, expected the name of a file to write");
   }
+  const std::string file = this->FileName;
   WriteOptions options;
-  options.File = this->FileName;
   options.Packing = packing;
   options.SortByRadius = this->SortByRadius;
   options.Kind = static_cast<spherepacking::Format>(this->Format);
   if (options.Kind == Format::Auto)
   {
     const std::string extension =
-      vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(options.File));
-    options.Kind = extension == ".txt" ? Format::Yade : FormatOfExtension(options.File);
+      vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(file));
+    options.Kind = extension == ".txt" ? Format::Yade : FormatOfExtension(file);
   }
   if (options.Kind < Format::Spheres || options.Kind > Format::Xyzd)
   {
     throw PackingFileError(vtkErrorCode::UnrecognizedFileTypeError,
-      options.File +
+      file +
         ": found a format that cannot be written, expected the extension .spheres, "
         ".xyzr, .txt, .csv or .xyzd");
   }
@@ -109,9 +109,9 @@ void vtkSpherePackingWriter::WriteFile(vtkPolyData* packing)
   {
     const std::string message = input->GetMessage();
     throw PackingFileError(vtkErrorCode::UnknownError,
-      options.File + ": " +
+      file + ": " +
         (message.empty() ? "the packing holds no sphere, expected at least one" : message));
   }
   spherepacking::Progress progress(this);
-  WritePacking(options, progress);
+  WritePacking(file, options, progress);
 }

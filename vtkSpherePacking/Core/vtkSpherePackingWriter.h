@@ -7,18 +7,17 @@
  *
  * | format  | extension | content                                                               |
  * |---------|-----------|-----------------------------------------------------------------------|
- * | SPHERES | .spheres  | `x y z r` a line, largest first                                       |
- * | XYZR    | .xyzr     | `x y z r` a line                                                      |
+ * | SPHERES | .spheres  | `x y z r` per line, largest first                                     |
+ * | XYZR    | .xyzr     | `x y z r` per line                                                    |
  * | YADE    | .txt      | `#format x_y_z_r`, or `x_y_z_r_matId` with a point array of that name |
- * | CSV     | .csv      | `x,y,z,radius`, then every other numeric point array, a column for each
- * component | | XYZD    | .xyzd     | little-endian float64 x y z diameter |
+ * | CSV     | .csv      | `x,y,z,radius`, then a column per component of other numeric arrays   |
+ * | XYZD    | .xyzd     | little-endian float64 x y z diameter                                  |
  *
- * Only CSV has room for all point arrays; the other formats leave them out. Numbers get the
- * shortest digits that read back as the same double, which also read back as the same float, in
- * any locale.
+ * Only CSV holds all point arrays; the other formats leave them out. Numbers get the shortest
+ * digits that read back as the same double, which also read back as the same float, in any locale.
  *
- * The file appears under its name only when it is complete: an error, an abort or a full disk
- * leaves an earlier file of that name as it was. One error is reported through vtkErrorMacro,
+ * The file is replaced atomically, once it is complete: an error, an abort or a full disk leaves an
+ * earlier file of that name as it was. One error is reported through vtkErrorMacro,
  * GetErrorCode() is set, and GetErrorMessage() is the sentence that names the file or the array,
  * what was found and what was expected. A packing without spheres is an error.
  *
@@ -45,7 +44,7 @@ public:
 
   ///@{
   /**
-   * The file to write. Default null, with which writing reports an error.
+   * The file to write. Default null, which is an error on writing.
    */
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);
@@ -62,7 +61,7 @@ public:
 
   ///@{
   /**
-   * The name of the point array with the radii, in the space of the points. Default "radius". An
+   * The name of the point array with the radii, in the unit of the points. Default "radius". An
    * array that is missing or does not hold radii is an error on writing.
    */
   vtkSetStringMacro(RadiusArrayName);
@@ -71,9 +70,9 @@ public:
 
   ///@{
   /**
-   * Whether SPHERES is written largest first, as readers of that format may rely on; spheres of
-   * one radius keep their order. Default on. Off keeps the order of the points, which the other
-   * formats always do.
+   * Whether SPHERES is written largest first, on which readers of that format may rely; spheres of
+   * equal radius stay in order. Default on. Off writes the order of the points, as in the other
+   * formats.
    */
   vtkSetMacro(SortByRadius, bool);
   vtkGetMacro(SortByRadius, bool);

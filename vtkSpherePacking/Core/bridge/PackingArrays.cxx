@@ -59,7 +59,7 @@ void SetVertices(vtkCellArray* vertices, vtkIdType count)
 PackingArrays::PackingArrays(vtkIdType count, bool single)
   : Count(count)
   , Single(single)
-  , CentreArray(NewArray(single, "Points", 3, count))
+  , CenterArray(NewArray(single, "Points", 3, count))
   , RadiusArray(NewArray(single, "radius", 1, count))
 {
 }
@@ -83,7 +83,7 @@ void PackingArrays::RemoveExtra(const double* values)
 void PackingArrays::MoveTo(vtkPolyData* output)
 {
   vtkNew<vtkPoints> points;
-  points->SetData(this->CentreArray);
+  points->SetData(this->CenterArray);
   output->SetPoints(points);
 
   // PyVista makes a vertex for every point of a PolyData, and its plots and filters go by cells:

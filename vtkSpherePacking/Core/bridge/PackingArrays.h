@@ -14,8 +14,8 @@ class vtkPolyData;
 namespace spherepacking
 {
 /**
- * The arrays of a packing while a format fills them in. Centres and radii have one precision;
- * further arrays are double, since single precision would spoil ids beyond 2^24.
+ * The arrays of a packing while they are filled. Centres and radii have the same precision; further
+ * arrays are double, since single precision would round ids beyond 2^24.
  */
 class PackingArrays
 {
@@ -25,11 +25,11 @@ public:
   vtkIdType GetCount() const { return this->Count; }
   bool IsSingle() const { return this->Single; }
 
-  /// Centres, x y z x y z ..., and radii; `Real` must be float exactly when IsSingle().
+  /// Centres, x y z x y z ..., and radii; `Real` must be float if and only if IsSingle().
   template <typename Real>
-  Real* Centres() const
+  Real* Centers() const
   {
-    return vtkAOSDataArrayTemplate<Real>::FastDownCast(this->CentreArray)->GetPointer(0);
+    return vtkAOSDataArrayTemplate<Real>::FastDownCast(this->CenterArray)->GetPointer(0);
   }
   template <typename Real>
   Real* Radii() const
@@ -37,22 +37,22 @@ public:
     return vtkAOSDataArrayTemplate<Real>::FastDownCast(this->RadiusArray)->GetPointer(0);
   }
 
-  /// A further array, uninitialised.
+  /// Adds a further array, uninitialised, and returns its values.
   double* AddExtra(const std::string& name);
 
-  /// Drops the further array that `values` belongs to.
+  /// Removes the further array with these values.
   void RemoveExtra(const double* values);
 
-  /// A further array that is complete.
+  /// Adds a further array that is filled already.
   void AddArray(vtkSmartPointer<vtkDataArray> array) { this->Extras.push_back(std::move(array)); }
 
-  /// Hands all over to `output`, with a vertex for each sphere.
+  /// Moves all arrays to `output`, with a vertex per sphere.
   void MoveTo(vtkPolyData* output);
 
 private:
   vtkIdType Count;
   bool Single;
-  vtkSmartPointer<vtkDataArray> CentreArray;
+  vtkSmartPointer<vtkDataArray> CenterArray;
   vtkSmartPointer<vtkDataArray> RadiusArray;
   std::vector<vtkSmartPointer<vtkDataArray>> Extras;
 };

@@ -19,15 +19,15 @@ namespace
 {
 namespace fs = std::filesystem;
 
-// Where a file is, links followed, also when there is none yet.
+// The path of a file with links followed, even if the last one leads to none.
 fs::path Follow(const std::string& file)
 {
-  constexpr int most = 40; // links, as many as Linux follows
+  constexpr int maximumLinks = 40; // as many as Linux follows
   fs::path path = fs::u8path(file);
   std::error_code error;
   for (int link = 0; fs::is_symlink(path, error); ++link)
   {
-    if (link == most)
+    if (link == maximumLinks)
     {
       throw PackingFileError(vtkErrorCode::CannotOpenFileError,
         file + ": found links that lead in a circle, expected a file or none");
@@ -56,15 +56,15 @@ AtomicFile::AtomicFile(const std::string& file)
     throw PackingFileError(vtkErrorCode::CannotOpenFileError,
       file + ": found something that is no regular file, expected one or none");
   }
-  // The rename would not ask for it.
+  // A rename does not ask for this permission.
   if (SystemTools::PathExists(this->Target) &&
     !SystemTools::TestFileAccess(this->Target, vtksys::TEST_FILE_WRITE))
   {
     throw PackingFileError(vtkErrorCode::CannotOpenFileError,
       file + ": found a file that is write-protected, expected one that can be written to");
   }
-  // "x" fails rather than overwrite what somebody else has there. A name of its own, since one
-  // that is longer than the target's may be too long.
+  // "x" fails rather than overwrite a file of somebody else. The name does not contain the
+  // target's, since a longer one than that may be too long.
   for (int attempt = 0; !this->Stream && attempt < 100; ++attempt)
   {
     this->Temporary =

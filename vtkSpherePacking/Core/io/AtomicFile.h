@@ -8,9 +8,9 @@
 namespace spherepacking
 {
 /**
- * A file that appears under its name only when it is complete: it is written beside its place
- * under another name and renamed in the end, so whatever goes wrong leaves an earlier file as it
- * was. Without Commit() the destructor removes what was written.
+ * Replaces a file atomically: writes a temporary file in the same folder and renames it at the end,
+ * so that an earlier file stays as it was whatever goes wrong. Without Commit() the destructor
+ * removes the temporary file.
  */
 class AtomicFile
 {
@@ -22,14 +22,14 @@ public:
 
   void Write(const char* bytes, std::size_t length);
 
-  /// Puts the file in its place.
+  /// Renames the temporary file to the final name.
   void Commit();
 
 private:
   [[noreturn]] void ThrowFull();
 
   std::string File;   // as the user names it, for messages
-  std::string Target; // where it goes, links followed
+  std::string Target; // with links followed
   std::string Temporary;
   std::FILE* Stream = nullptr;
 };

@@ -10,7 +10,7 @@
 
 namespace spherepacking
 {
-/// Where a time step lies in a dump.
+/// A time step of a dump: its time, the range of its bytes, and its first line.
 struct DumpStep
 {
   double Time;
@@ -20,23 +20,24 @@ struct DumpStep
 };
 
 /**
- * The steps of a LAMMPS or LIGGGHTS dump (A. Thompson et al., "LAMMPS - a flexible simulation
- * tool", 2022), found in one pass over the file that keeps only a block of it in memory, as such
- * files are often larger than that. Time is what ITEM: TIMESTEP says.
+ * Finds the time steps of a LAMMPS or LIGGGHTS dump (A. Thompson et al., "LAMMPS - a flexible
+ * simulation tool for particle-based materials modeling at the atomic, meso, and continuum scales",
+ * 2022), by ITEM: TIMESTEP. One pass with a block of the file in memory at a time, since dumps are
+ * often larger than that.
  */
 std::vector<DumpStep> FindDumpSteps(const std::string& file);
 
-/// What the lines of a step before its atoms say.
+/// The header of a time step, that is the lines before its atoms.
 struct DumpHeader
 {
   TableLayout Layout;
   vtkIdType Count;
   vtkIdType CountLine;
-  TextRange Atoms; ///< up to the end of the step
+  TextRange Atoms; ///< the lines of the atoms
 };
 
 /// Reads the header of the step that `text` holds.
-DumpHeader ReadDumpHeader(const std::string& file, const TextRange& text);
+DumpHeader ReadDumpHeader(const TextRange& text);
 }
 
 #endif

@@ -11,14 +11,15 @@ namespace spherepacking
 const std::vector<DumpStep>& DumpStepCache::Find(const std::string& file)
 {
   const unsigned long long size = FileBytes::Size(file);
-  const long changed = vtksys::SystemTools::ModifiedTime(file);
-  if (this->Steps.empty() || file != this->File || size != this->Size || changed != this->Changed)
+  const long modified = vtksys::SystemTools::ModifiedTime(file);
+  if (this->Steps.empty() || file != this->File || size != this->Size ||
+    modified != this->ModifiedTime)
   {
     this->Steps.clear();
     this->Steps = FindDumpSteps(file);
     this->File = file;
     this->Size = size;
-    this->Changed = changed;
+    this->ModifiedTime = modified;
   }
   return this->Steps;
 }

@@ -9,22 +9,22 @@
 namespace spherepacking
 {
 /**
- * Keeps where the steps of a dump lie, so that moving through time does not walk over the whole
- * file again, as long as its name, size and time of change stay the same.
+ * Caches the time steps of a dump, so that an animation does not scan the whole file again, as long
+ * as its name, size and time of modification stay the same.
  */
 class DumpStepCache
 {
 public:
+  /// The steps of `file`, from the cache if they are there.
   const std::vector<DumpStep>& Find(const std::string& file);
 
-  /// The last of the steps of `file` that is not after `time`; the first when all are, and
-  /// without a time.
+  /// The last step of `file` that is not after `time`; the first if all are, or without a time.
   const DumpStep& Choose(const std::string& file, const std::optional<double>& time);
 
 private:
   std::string File;
   unsigned long long Size = 0;
-  long Changed = 0;
+  long ModifiedTime = 0;
   std::vector<DumpStep> Steps;
 };
 }

@@ -14,6 +14,7 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <system_error>
 
 namespace spherepacking
 {
@@ -50,8 +51,10 @@ unsigned long long FileBytes::Size(const std::string& path)
     throw PackingFileError(
       vtkErrorCode::CannotOpenFileError, path + ": found a directory, expected a file");
   }
-  // Opening a pipe would wait for somebody to write into it.
-  if (!std::filesystem::is_regular_file(std::filesystem::u8path(path)))
+  // Opening a pipe would wait for somebody to write into it. What has no type, such as a link to
+  // itself, cannot be opened, and that says why.
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(std::filesystem::u8path(path), error) && !error)
   {
     throw PackingFileError(vtkErrorCode::CannotOpenFileError,
       path + ": found a pipe or a device, expected a regular file");
@@ -82,7 +85,7 @@ FileBytes FileBytes::Read(const std::string& path, Progress& progress)
 FileBytes FileBytes::ReadRange(
   const std::string& path, unsigned long long offset, unsigned long long length, Progress& progress)
 {
-  // Blocks are read side by side, since most of the time goes into the first touch of the memory.
+  // In parallel since the time goes into page faults, at the first touch of the memory.
   constexpr unsigned long long block = 1 << 20;
   FileBytes bytes(length);
   std::atomic<bool> complete{ true };

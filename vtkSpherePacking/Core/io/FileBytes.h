@@ -11,28 +11,28 @@ class Progress;
 
 /**
  * A file, or a range of it, in memory. It is read rather than mapped, because a mapped file that
- * another process cuts short kills the reader with SIGBUS.
+ * another process truncates kills the reader with SIGBUS.
  */
 class FileBytes
 {
 public:
-  /// The size of `path`, which must be a regular file with something in it.
+  /// The size of `path`. Throws unless that is a regular file that can be opened and is not empty.
   static unsigned long long Size(const std::string& path);
 
-  /// All of `path`, read by all threads.
+  /// Reads all of `path`, in parallel.
   static FileBytes Read(const std::string& path, Progress& progress);
 
-  /// `length` bytes of `path` from `offset` on.
+  /// Reads `length` bytes of `path` from `offset` on, in parallel.
   static FileBytes ReadRange(const std::string& path, unsigned long long offset,
     unsigned long long length, Progress& progress);
 
-  /// At most `length` bytes from the beginning.
+  /// Reads the first `length` bytes of `path`, or all if there are fewer.
   static FileBytes ReadHead(const std::string& path, unsigned long long length);
 
   const char* Begin() const { return this->Bytes.get(); }
 
-  /// One beyond the last byte. `*End()` may be read and is a line feed, so that a scan of text
-  /// needs no other check for the end.
+  /// The end of the bytes. `*End()` may be read and is a line feed, a sentinel, so that a scan for
+  /// line ends needs no bounds check.
   const char* End() const { return this->Bytes.get() + this->Length; }
 
 private:

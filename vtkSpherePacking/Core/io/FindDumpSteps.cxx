@@ -15,6 +15,7 @@ namespace spherepacking
 namespace
 {
 constexpr std::string_view Title = "ITEM: TIMESTEP";
+constexpr unsigned long long Overlap = 256; // of blocks
 
 // The next title that begins in [p, last); the text goes on to `end`.
 const char* FindTitle(const char* p, const char* last, const char* end)
@@ -24,7 +25,7 @@ const char* FindTitle(const char* p, const char* last, const char* end)
 }
 
 // The number in the line after the title at `p`.
-double ReadTime(const std::string& file, const char* p, const char* end, vtkIdType line)
+double ReadTime(const char* p, const char* end, vtkIdType line)
 {
   LineFinder find(end);
   const char* number = SkipBlanks(SkipLineEnd(find(p), end), end);
@@ -32,20 +33,16 @@ double ReadTime(const std::string& file, const char* p, const char* end, vtkIdTy
   const char* after = ParseNumber(number, end, time);
   if (!after || !Separators::Liberal().EndsNumber(*after))
   {
-    ThrowAtLine(
-      file, line + 1, "found " + Quote(number, find(number)) + ", expected the time step");
+    throw LineError(line + 1, "found " + Quote(number, find(number)) + ", expected the time step");
   }
   return time;
 }
-}
 
-//------------------------------------------------------------------------------
-std::vector<DumpStep> FindDumpSteps(const std::string& file)
+// Finds the steps in blocks, which overlap by what a title and its number may take, so that none is
+// cut in two.
+std::vector<DumpStep> ScanBlocks(const std::string& file, unsigned long long size)
 {
-  const unsigned long long size = FileBytes::Size(file);
-  // Blocks overlap by what a title and its number may take, so that none is cut in two.
   constexpr unsigned long long block = 16 << 20;
-  constexpr unsigned long long overlap = 256;
   Progress silent(nullptr);
   std::vector<DumpStep> steps;
   vtkIdType line = 1;
@@ -54,7 +51,7 @@ std::vector<DumpStep> FindDumpSteps(const std::string& file)
   {
     const unsigned long long length = std::min(block, size - offset);
     const FileBytes bytes =
-      FileBytes::ReadRange(file, offset, std::min(length + overlap, size - offset), silent);
+      FileBytes::ReadRange(file, offset, std::min(length + Overlap, size - offset), silent);
     const char* const begin = bytes.Begin();
     const char* const last = begin + length;
     // A CR LF across the cut was counted with its CR.
@@ -70,19 +67,36 @@ std::vector<DumpStep> FindDumpSteps(const std::string& file)
         {
           steps.back().End = at;
         }
-        steps.push_back({ ReadTime(file, p, bytes.End(), line), at, size, line });
+        steps.push_back({ ReadTime(p, bytes.End(), line), at, size, line });
       }
     }
     line += CountLineEnds(counted, last);
     previous = last[-1];
   }
-  if (steps.empty())
-  {
-    const FileBytes head = FileBytes::ReadHead(file, overlap);
-    ThrowAtLine(file, 1,
-      "found " + Quote(head.Begin(), LineFinder(head.End())(head.Begin())) +
-        " and no later step, expected ITEM: TIMESTEP");
-  }
   return steps;
+}
+
+[[noreturn]] void ThrowNoStep(const FileBytes& head)
+{
+  throw LineError(1,
+    "found " + Quote(head.Begin(), LineFinder(head.End())(head.Begin())) +
+      " and no later step, expected ITEM: TIMESTEP");
+}
+}
+
+//------------------------------------------------------------------------------
+std::vector<DumpStep> FindDumpSteps(const std::string& file)
+{
+  const unsigned long long size = FileBytes::Size(file);
+  const auto find = [&]
+  {
+    std::vector<DumpStep> steps = ScanBlocks(file, size);
+    if (steps.empty())
+    {
+      ThrowNoStep(FileBytes::ReadHead(file, Overlap));
+    }
+    return steps;
+  };
+  return WithFileName(file, find);
 }
 }

@@ -7,6 +7,7 @@
 #include "vtkfast_float.h"
 
 #include <charconv>
+#include <cmath>
 #include <string>
 #include <system_error>
 
@@ -25,8 +26,8 @@ inline const char* ParseNumber(const char* p, const char* end, T& value)
   {
     return nullptr;
   }
-  // Signs come at random, so a branch on them would be mispredicted every other time, at the cost
-  // of a fifth of the whole.
+  // Without a branch: signs come at random, so every other one would be mispredicted, at the cost
+  // of a fifth of the whole time.
   const bool negative = *p == '-';
   p += negative | (*p == '+');
   if (*p == '-')
@@ -48,20 +49,28 @@ inline const char* ParseNumber(const char* p, const char* end, T& value)
   return after;
 }
 
-/// The longest text of WriteNumber().
-constexpr int LongestNumber = 32;
+/// Whether a number read as a double is a count: whole, not negative, and up to 2^53, beyond which
+/// doubles skip integers.
+inline bool IsCount(double value)
+{
+  return value >= 0.0 && value <= 0x1p53 && value == std::floor(value);
+}
 
-/// The shortest digits that read back as `value`, whatever the locale is; returns their end.
+/// The maximum length of what WriteNumber() writes.
+constexpr int MaximumNumberLength = 32;
+
+/// Writes the shortest digits that read back as `value`, whatever the locale is; returns their end.
 template <typename T>
 inline char* WriteNumber(char* p, T value)
 {
-  return std::to_chars(p, p + LongestNumber, value).ptr;
+  return std::to_chars(p, p + MaximumNumberLength, value).ptr;
 }
 
+/// What WriteNumber() writes, as a string.
 template <typename T>
 inline std::string NumberText(T value)
 {
-  char text[LongestNumber];
+  char text[MaximumNumberLength];
   return std::string(text, WriteNumber(text, value));
 }
 }

@@ -6,10 +6,10 @@
 namespace spherepacking
 {
 //------------------------------------------------------------------------------
-void ThrowAtLine(const std::string& file, long long line, const std::string& what)
+void ThrowInFile(const std::string& file, const ContentError& error)
 {
-  throw PackingFileError(
-    vtkErrorCode::FileFormatError, file + ", line " + std::to_string(line) + ": " + what);
+  const std::string location = error.Location.empty() ? "" : ", " + error.Location;
+  throw PackingFileError(vtkErrorCode::FileFormatError, file + location + ": " + error.what());
 }
 
 //------------------------------------------------------------------------------

@@ -6,7 +6,6 @@
 #include "io/TextChunks.h"
 #include "io/Utf8Mark.h"
 
-#include "vtkErrorCode.h"
 #include "vtksys/SystemTools.hxx"
 
 #include <map>
@@ -16,20 +15,21 @@ namespace spherepacking
 {
 namespace
 {
-bool BeginsWith(std::string_view text, std::string_view word)
+bool BeginsWith(std::string_view text, std::string_view prefix)
 {
-  return text.substr(0, word.size()) == word;
+  return text.substr(0, prefix.size()) == prefix;
 }
 
-// Lines say what they are by their first words; only YADE writes #format.
+// Detects the format by what the first lines begin with, up to one that is no comment. Only YADE
+// writes #format.
 Format FormatOfText(const char* begin, const char* end)
 {
   LineFinder find(end);
   for (const char* p = SkipUtf8Mark(begin, end); p != end;)
   {
     const char* lineEnd = find(p);
-    const char* word = SkipBlanks(p, lineEnd);
-    const std::string_view line(word, lineEnd - word);
+    const char* first = SkipBlanks(p, lineEnd);
+    const std::string_view line(first, lineEnd - first);
     if (BeginsWith(line, "ITEM:"))
     {
       return Format::Dump;
@@ -78,14 +78,13 @@ Format GuessFormat(const std::string& file)
   constexpr unsigned long long head = 1 << 16;
   const FileBytes bytes = FileBytes::ReadHead(file, head);
   const Format ofText = FormatOfText(bytes.Begin(), bytes.End());
-  // .sph is also what some name their dumps.
+  // Some programs write dumps with the extension .sph, too.
   return format == Format::SphereTree && ofText != Format::Dump ? format : ofText;
 }
 
 //------------------------------------------------------------------------------
-void ThrowNoSphere(const std::string& file, const std::string& expected)
+void ThrowNoSphere(const std::string& expected)
 {
-  throw PackingFileError(
-    vtkErrorCode::FileFormatError, file + ": holds no sphere, expected " + expected);
+  throw ContentError("holds no sphere, expected " + expected);
 }
 }

@@ -9,6 +9,8 @@
 
 namespace spherepacking
 {
+struct DumpStep;
+
 /// The values of vtkSpherePackingReader::FileFormats.
 enum class Format
 {
@@ -23,37 +25,37 @@ enum class Format
   SphereTree
 };
 
-/// What to read and how.
+/// How to read a file.
 struct ReadOptions
 {
-  std::string File;
-  bool Single = false;
-  vtkIdType ChunkSize = 0;
+  bool Single = false;     ///< precision of centres and radii
+  vtkIdType ChunkSize = 0; ///< bytes of text that a thread parses at a time, at least
 };
 
-/// The format that the name of a file stands for; Auto when there is none or several.
+/// The format that the extension of a file stands for; Auto if that is none or several.
 Format FormatOfExtension(const std::string& file);
 
-/// The format of `file` by its extension and, where that leaves a choice, by its first bytes.
+/// Detects the format of `file` by its extension and, where that is not enough, by its first lines.
 Format GuessFormat(const std::string& file);
 
-/// One function a format; `format` is one of the tables in text.
-PackingArrays ReadTextTable(const ReadOptions& options, Format format, Progress& progress);
-PackingArrays ReadPqr(const ReadOptions& options, Progress& progress);
-PackingArrays ReadSphereTree(const ReadOptions& options, Progress& progress);
-PackingArrays ReadXyzd(const ReadOptions& options, Progress& progress);
+/// Reads a file, one function per format. These open the file and name it in every error. `format`
+/// is one of the tables in text.
+PackingArrays ReadTextTable(
+  const std::string& file, Format format, const ReadOptions& options, Progress& progress);
+PackingArrays ReadPqr(const std::string& file, const ReadOptions& options, Progress& progress);
+PackingArrays ReadSphereTree(
+  const std::string& file, const ReadOptions& options, Progress& progress);
+PackingArrays ReadXyzd(const std::string& file, const ReadOptions& options, Progress& progress);
 
-/// One of the steps that FindDumpSteps() found in the file.
-struct DumpStep;
-PackingArrays ReadDump(const ReadOptions& options, const DumpStep& step, Progress& progress);
+/// Reads one of the steps that FindDumpSteps() found in the file.
+PackingArrays ReadDump(
+  const std::string& file, const DumpStep& step, const ReadOptions& options, Progress& progress);
 
-/// Throws "FILE: holds no sphere, expected WHAT".
-[[noreturn]] void ThrowNoSphere(const std::string& file, const std::string& expected);
+/// Throws a ContentError: "holds no sphere, expected EXPECTED".
+[[noreturn]] void ThrowNoSphere(const std::string& expected);
 
-/**
- * By what `file`.nfo, beside `file`.xyzd, says the stored diameters have to be multiplied; 1
- * without such a file. Throws when it is there but does not say.
- */
+/// The factor for the diameters of an .xyzd file, from the .nfo file of the same name beside it; 1
+/// if there is none. Throws if there is one that does not hold both porosities.
 double DiameterScale(const std::string& xyzdFile);
 }
 

@@ -12,26 +12,27 @@
 namespace spherepacking
 {
 /**
- * Reports how far an algorithm is and asks whether it has to stop. Used only in the thread that
- * runs the algorithm, since that is where observers may be called.
+ * Reports the progress of an algorithm and checks for an abort. Used only in the thread that runs
+ * the algorithm, since that is where observers may be called.
  */
 class Progress
 {
 public:
-  /// Without an algorithm nobody is told and nobody asks to stop.
+  /// Without an algorithm, Report() does nothing.
   explicit Progress(vtkAlgorithm* algorithm)
     : Algorithm(algorithm)
   {
   }
 
-  /// The part of the whole, from 0 to 1, that the following steps make up.
+  /// Sets the range of the overall progress, within 0 to 1, that the following reports cover.
   void SetRange(double from, double to)
   {
     this->From = from;
     this->To = to;
   }
 
-  /// `fraction` of the current range is done. Throws an AbortRequest when asked to stop.
+  /// Reports that `fraction` of the current range is done. Throws an AbortRequest if an observer
+  /// asked for an abort.
   void Report(double fraction)
   {
     if (!this->Algorithm)
@@ -52,9 +53,9 @@ private:
 };
 
 /**
- * Calls body(first, last) on parts of [0, count) in all threads, some 32 times `grain` of them a
- * thread at a time, and between these check() and a report in the calling thread. `body` must not
- * throw, `check` may.
+ * A parallel loop with progress: calls body(first, last) on chunks of `grain` of [0, count), in
+ * batches of 32 chunks per thread, and after each batch check() and Report() in the calling thread.
+ * `body` must not throw, `check` may.
  */
 template <typename Body, typename Check>
 void ForInBatches(

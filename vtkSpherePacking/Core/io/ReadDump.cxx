@@ -7,27 +7,36 @@
 
 namespace spherepacking
 {
-//------------------------------------------------------------------------------
-PackingArrays ReadDump(const ReadOptions& options, const DumpStep& step, Progress& progress)
+namespace
 {
-  const std::string& file = options.File;
-  progress.SetRange(0.0, 0.2);
-  const FileBytes bytes = FileBytes::ReadRange(file, step.Begin, step.End - step.Begin, progress);
-  const DumpHeader header = ReadDumpHeader(file, { bytes.Begin(), bytes.End(), step.FirstLine });
+PackingArrays ParseDump(
+  const FileBytes& bytes, const DumpStep& step, const ReadOptions& options, Progress& progress)
+{
+  const DumpHeader header = ReadDumpHeader({ bytes.Begin(), bytes.End(), step.FirstLine });
   progress.SetRange(0.2, 0.3);
   const auto chunks =
     CutIntoChunks(header.Atoms, header.Layout.Rows, options.ChunkSize, 0, progress);
   if (const vtkIdType rows = CountRows(chunks); rows != header.Count)
   {
-    ThrowAtLine(file, header.CountLine,
+    throw LineError(header.CountLine,
       "found " + std::to_string(header.Count) + " as the number of atoms, but " +
         std::to_string(rows) + " lines of atoms follow, expected as many");
   }
   if (header.Count == 0)
   {
-    ThrowNoSphere(file, "atoms in the time step of line " + std::to_string(step.FirstLine));
+    ThrowNoSphere("atoms in the time step of line " + std::to_string(step.FirstLine));
   }
   progress.SetRange(0.3, 1.0);
-  return ParseTable(file, bytes.End(), header.Layout, chunks, options.Single, progress);
+  return ParseTable(bytes.End(), header.Layout, chunks, options.Single, progress);
+}
+}
+
+//------------------------------------------------------------------------------
+PackingArrays ReadDump(
+  const std::string& file, const DumpStep& step, const ReadOptions& options, Progress& progress)
+{
+  progress.SetRange(0.0, 0.2);
+  const FileBytes bytes = FileBytes::ReadRange(file, step.Begin, step.End - step.Begin, progress);
+  return WithFileName(file, [&] { return ParseDump(bytes, step, options, progress); });
 }
 }

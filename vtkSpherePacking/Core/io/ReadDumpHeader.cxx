@@ -15,13 +15,12 @@ namespace
 {
 using Fields = std::vector<std::string_view>;
 
-/// Reads the lines of a step's header in order.
+/// Reads the lines of a time step's header in order.
 class HeaderScanner
 {
 public:
-  HeaderScanner(const std::string& file, const TextRange& text)
-    : File(file)
-    , Text(text)
+  explicit HeaderScanner(const TextRange& text)
+    : Text(text)
     , Find(text.End)
     , Next(text.Begin)
     , NextLine(text.FirstLine)
@@ -51,7 +50,7 @@ public:
       }
       else if (!is("ITEM:"))
       {
-        ThrowAtLine(this->File, this->NextLine - 1,
+        throw LineError(this->NextLine - 1,
           "found " + this->QuoteLine() + ", expected a line that begins with ITEM:");
       }
       else
@@ -61,8 +60,8 @@ public:
     }
     if (header.Count < 0)
     {
-      ThrowAtLine(this->File, this->NextLine - 1,
-        "found ITEM: ATOMS, expected ITEM: NUMBER OF ATOMS before it");
+      throw LineError(
+        this->NextLine - 1, "found ITEM: ATOMS, expected ITEM: NUMBER OF ATOMS before it");
     }
     this->SetColumns(header.Layout);
     header.Atoms = { this->Next, this->Text.End, this->NextLine };
@@ -70,13 +69,12 @@ public:
   }
 
 private:
-  // Moves on by a line, which has to be there.
+  // Moves on by a line, or throws if that was the last.
   bool Step(const std::string& expected)
   {
     if (this->Next == this->Text.End)
     {
-      ThrowAtLine(
-        this->File, this->NextLine - 1, "found the end of the step, expected " + expected);
+      throw LineError(this->NextLine - 1, "found the end of the step, expected " + expected);
     }
     const char* end = this->Find(this->Next);
     this->Line = std::string_view(this->Next, end - this->Next);
@@ -90,7 +88,7 @@ private:
     return Quote(this->Line.data(), this->Line.data() + this->Line.size());
   }
 
-  // The numbers of the next line, which has to hold nothing else.
+  // The numbers of the next line, which must hold nothing else.
   std::vector<double> ReadNumbers(const std::string& expected)
   {
     this->Step(expected);
@@ -101,8 +99,8 @@ private:
       const char* end = field.data() + field.size();
       if (ParseNumber(field.data(), end, value) != end || !std::isfinite(value))
       {
-        ThrowAtLine(
-          this->File, this->NextLine - 1, "found " + this->QuoteLine() + ", expected " + expected);
+        throw LineError(
+          this->NextLine - 1, "found " + this->QuoteLine() + ", expected " + expected);
       }
       numbers.push_back(value);
     }
@@ -113,12 +111,9 @@ private:
   {
     const std::string expected = "the number of atoms";
     const std::vector<double> numbers = this->ReadNumbers(expected);
-    constexpr double most = 9007199254740992.0; // 2^53, beyond which a double skips integers
-    if (numbers.size() != 1 || numbers[0] < 0 || numbers[0] > most ||
-      numbers[0] != std::floor(numbers[0]))
+    if (numbers.size() != 1 || !IsCount(numbers[0]))
     {
-      ThrowAtLine(
-        this->File, this->NextLine - 1, "found " + this->QuoteLine() + ", expected " + expected);
+      throw LineError(this->NextLine - 1, "found " + this->QuoteLine() + ", expected " + expected);
     }
     return static_cast<vtkIdType>(numbers[0]);
   }
@@ -134,7 +129,7 @@ private:
       row = this->ReadNumbers("2 to 4 numbers that bound the box");
       if (row.size() < 2 || row.size() > 4 || row.size() != rows[0].size())
       {
-        ThrowAtLine(this->File, this->NextLine - 1,
+        throw LineError(this->NextLine - 1,
           "found " + this->QuoteLine() + ", expected 2 to 4 numbers that bound the box");
       }
     }
@@ -166,7 +161,8 @@ private:
     this->Box->Edges[2][1] = yz;
   }
 
-  // Columns from the ITEM: ATOMS line. Centres may be plain, unwrapped, or fractions of the box.
+  // Sets the columns from the ITEM: ATOMS line. Coordinates may be plain (x), unwrapped (xu),
+  // scaled, that is fractions of the box (xs), or both (xsu).
   void SetColumns(TableLayout& layout)
   {
     Fields names = Separators::Liberal().Split(this->Line.data());
@@ -192,19 +188,19 @@ private:
     }
     if (!columns)
     {
-      ThrowAtLine(this->File, this->NextLine - 1,
+      throw LineError(this->NextLine - 1,
         "found the columns " + this->QuoteLine() +
           ", expected x, y, z (or xu, xs, xsu and so on) and radius or diameter");
     }
     if (!complaint.empty())
     {
-      ThrowAtLine(this->File, this->NextLine - 1, complaint);
+      throw LineError(this->NextLine - 1, complaint);
     }
     if (family - families.begin() >= 2)
     {
       if (!this->Box)
       {
-        ThrowAtLine(this->File, this->NextLine - 1,
+        throw LineError(this->NextLine - 1,
           "found centres as fractions of the box, expected ITEM: BOX BOUNDS before them");
       }
       layout.Box = this->Box;
@@ -213,7 +209,6 @@ private:
     layout.Expected = DescribeColumns(layout.Columns);
   }
 
-  const std::string& File;
   TextRange Text;
   LineFinder Find;
   const char* Next;
@@ -222,7 +217,7 @@ private:
   std::optional<BoxFrame> Box;
 };
 
-// Text columns such as element are known by the first row.
+// Columns of text, such as element, are recognised by the first row.
 void MarkText(DumpHeader& header)
 {
   LineFinder find(header.Atoms.End);
@@ -238,7 +233,7 @@ void MarkText(DumpHeader& header)
   }
 }
 
-// Atoms go on to the next title; that of the following step may have others before it.
+// The atoms end at the next title, which need not be the ITEM: TIMESTEP of the next step.
 const char* AtomsEnd(const TextRange& text)
 {
   const std::string_view view(text.Begin, text.End - text.Begin);
@@ -254,9 +249,9 @@ const char* AtomsEnd(const TextRange& text)
 }
 
 //------------------------------------------------------------------------------
-DumpHeader ReadDumpHeader(const std::string& file, const TextRange& text)
+DumpHeader ReadDumpHeader(const TextRange& text)
 {
-  DumpHeader header = HeaderScanner(file, text).Scan();
+  DumpHeader header = HeaderScanner(text).Scan();
   header.Atoms.End = AtomsEnd(header.Atoms);
   MarkText(header);
   return header;

@@ -14,7 +14,7 @@ namespace spherepacking
 {
 namespace
 {
-/// The spheres of one level of a tree.
+/// One level of a sphere tree.
 struct Level
 {
   TextRange Text;
@@ -22,16 +22,15 @@ struct Level
 };
 
 /**
- * Walks over a sphere tree as cellPACK writes it (G. Johnson et al., "cellPACK: a virtual
- * mesoscope", 2015): the smallest and largest radius, the number of levels, and for each level a
- * count and as many lines.
+ * Finds the levels of a sphere tree as cellPACK writes it (G. Johnson et al., "cellPACK: a virtual
+ * mesoscope to model and visualize structural systems biology", 2015): the smallest and largest
+ * radius, the number of levels, and for each level a count and as many lines.
  */
 class TreeScanner
 {
 public:
-  TreeScanner(const std::string& file, const TextRange& text)
-    : File(file)
-    , Text(text)
+  explicit TreeScanner(const TextRange& text)
+    : Text(text)
     , Find(text.End)
     , Next(text.Begin)
     , NextLine(text.FirstLine)
@@ -42,7 +41,7 @@ public:
   {
     if (!this->NextRow())
     {
-      ThrowNoSphere(this->File, "the smallest and the largest radius, then levels of spheres");
+      ThrowNoSphere("the smallest and the largest radius, then levels of spheres");
     }
     this->ReadNumbers(2, "the smallest and the largest radius");
     const vtkIdType count = this->ReadCount("the number of levels");
@@ -64,7 +63,7 @@ public:
     }
     if (this->NextRow())
     {
-      ThrowAtLine(this->File, this->Row.FirstLine,
+      throw LineError(this->Row.FirstLine,
         "found " + Quote(this->Row.Begin, this->Row.End) + " after the last level, expected " +
           std::to_string(count) + " levels with as many spheres as their counts say");
     }
@@ -91,8 +90,8 @@ private:
 
   [[noreturn]] void ThrowAtEnd(const std::string& found, const std::string& expected)
   {
-    ThrowAtLine(this->File, this->Row.FirstLine,
-      "found the end of the file after " + found + ", expected " + expected);
+    throw LineError(
+      this->Row.FirstLine, "found the end of the file after " + found + ", expected " + expected);
   }
 
   // The current row, which must hold `count` numbers; returns the first.
@@ -110,7 +109,7 @@ private:
     }
     if (!good)
     {
-      ThrowAtLine(this->File, this->Row.FirstLine,
+      throw LineError(this->Row.FirstLine,
         "found " + Quote(this->Row.Begin, this->Row.End) + ", expected " + what);
     }
     return first;
@@ -123,32 +122,27 @@ private:
       this->ThrowAtEnd(Quote(this->Row.Begin, this->Row.End), what);
     }
     const double count = this->ReadNumbers(1, what);
-    constexpr double most = 9007199254740992.0; // 2^53, beyond which a double skips integers
-    if (count < 0 || count > most || count != std::floor(count))
+    if (!IsCount(count))
     {
-      ThrowAtLine(this->File, this->Row.FirstLine,
+      throw LineError(this->Row.FirstLine,
         "found " + Quote(this->Row.Begin, this->Row.End) + ", expected " + what +
           ", a whole number that is not negative");
     }
     return static_cast<vtkIdType>(count);
   }
 
-  const std::string& File;
   TextRange Text;
   LineFinder Find;
   const char* Next;
   vtkIdType NextLine;
   TextRange Row{ nullptr, nullptr, 0 };
 };
-}
 
-//------------------------------------------------------------------------------
-PackingArrays ReadSphereTree(const ReadOptions& options, Progress& progress)
+PackingArrays ParseSphereTree(
+  const FileBytes& bytes, const ReadOptions& options, Progress& progress)
 {
-  progress.SetRange(0.0, 0.2);
-  const FileBytes bytes = FileBytes::Read(options.File, progress);
   const TextRange text{ SkipUtf8Mark(bytes.Begin(), bytes.End()), bytes.End() };
-  const std::vector<Level> levels = TreeScanner(options.File, text).Scan();
+  const std::vector<Level> levels = TreeScanner(text).Scan();
 
   progress.SetRange(0.2, 0.3);
   std::vector<TextChunk> chunks;
@@ -160,7 +154,7 @@ PackingArrays ReadSphereTree(const ReadOptions& options, Progress& progress)
   }
   if (CountRows(chunks) == 0)
   {
-    ThrowNoSphere(options.File, "at least one in a level");
+    ThrowNoSphere("at least one in a level");
   }
 
   TableLayout layout;
@@ -168,8 +162,7 @@ PackingArrays ReadSphereTree(const ReadOptions& options, Progress& progress)
     { ColumnRole::Radius, "radius" } };
   layout.Expected = DescribeColumns(layout.Columns);
   progress.SetRange(0.3, 1.0);
-  PackingArrays arrays =
-    ParseTable(options.File, bytes.End(), layout, chunks, options.Single, progress);
+  PackingArrays arrays = ParseTable(bytes.End(), layout, chunks, options.Single, progress);
 
   const auto numbers = vtkSmartPointer<vtkIntArray>::New();
   numbers->SetName("level");
@@ -181,5 +174,15 @@ PackingArrays ReadSphereTree(const ReadOptions& options, Progress& progress)
   }
   arrays.AddArray(numbers);
   return arrays;
+}
+}
+
+//------------------------------------------------------------------------------
+PackingArrays ReadSphereTree(
+  const std::string& file, const ReadOptions& options, Progress& progress)
+{
+  progress.SetRange(0.0, 0.2);
+  const FileBytes bytes = FileBytes::Read(file, progress);
+  return WithFileName(file, [&] { return ParseSphereTree(bytes, options, progress); });
 }
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/FileBytes.h"
+#include "io/PackingFileError.h"
 #include "io/PackingFormats.h"
 #include "io/TableDetector.h"
 #include "io/TextTable.h"
@@ -7,16 +8,26 @@
 
 namespace spherepacking
 {
-//------------------------------------------------------------------------------
-PackingArrays ReadTextTable(const ReadOptions& options, Format format, Progress& progress)
+namespace
 {
-  progress.SetRange(0.0, 0.2);
-  const FileBytes bytes = FileBytes::Read(options.File, progress);
+PackingArrays ParseTextTable(
+  const FileBytes& bytes, Format format, const ReadOptions& options, Progress& progress)
+{
   TextRange text{ SkipUtf8Mark(bytes.Begin(), bytes.End()), bytes.End() };
-  const TableLayout layout = DetectTable(options.File, format, text);
+  const TableLayout layout = DetectTable(format, text);
   progress.SetRange(0.2, 0.3);
   const auto chunks = CutIntoChunks(text, layout.Rows, options.ChunkSize, 0, progress);
   progress.SetRange(0.3, 1.0);
-  return ParseTable(options.File, bytes.End(), layout, chunks, options.Single, progress);
+  return ParseTable(bytes.End(), layout, chunks, options.Single, progress);
+}
+}
+
+//------------------------------------------------------------------------------
+PackingArrays ReadTextTable(
+  const std::string& file, Format format, const ReadOptions& options, Progress& progress)
+{
+  progress.SetRange(0.0, 0.2);
+  const FileBytes bytes = FileBytes::Read(file, progress);
+  return WithFileName(file, [&] { return ParseTextTable(bytes, format, options, progress); });
 }
 }

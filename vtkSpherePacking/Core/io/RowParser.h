@@ -14,7 +14,7 @@
 
 namespace spherepacking
 {
-/// What is wrong with a row.
+/// What is wrong with a row, and in which column.
 struct RowFault
 {
   enum Kind : unsigned char
@@ -27,25 +27,25 @@ struct RowFault
   };
   Kind What;
   int Column;     ///< from 0
-  const char* At; ///< where the offending field begins
+  const char* At; ///< where the offending field begins; null if no field alone is wrong
 };
 
 /**
- * Parses rows of one layout into arrays. `Real` is the precision of centres and radii, `Scaled`
- * says that centres are fractions of the layout's box.
+ * Parses rows of one layout into arrays. `Real` is the precision of centres and radii; `Scaled`
+ * says that coordinates are fractions of the layout's box.
  */
 template <typename Real, bool Scaled>
 class RowParser
 {
 public:
-  /// `extras` has a pointer for each column whose role is Extra, and null for the others. A column
-  /// of these that turns out not to be numeric has its place in `isText` set.
-  RowParser(const TableLayout& layout, const char* textEnd, Real* centres, Real* radii,
+  /// `extras` has a pointer for each column whose role is Extra, and null for the others. If a
+  /// field of such a column is no number, the column's element of `isText` is set.
+  RowParser(const TableLayout& layout, const char* textEnd, Real* centers, Real* radii,
     std::vector<double*> extras, std::atomic<bool>* isText)
     : Layout(layout)
     , Between(layout.Between)
     , TextEnd(textEnd)
-    , Centres(centres)
+    , Centers(centers)
     , Radii(radii)
     , Extras(std::move(extras))
     , IsText(isText)
@@ -59,7 +59,8 @@ public:
         std::vector<ColumnRole>{ ColumnRole::X, ColumnRole::Y, ColumnRole::Z, ColumnRole::Radius };
   }
 
-  /// Parses the row at `p` into place `row`. Returns the line end, or null with `fault` set.
+  /// Parses the line at `p` into row `row` of the arrays. Returns the line end, or null with
+  /// `fault` set.
   const char* Parse(const char* p, vtkIdType row, RowFault& fault) const
   {
     if (const char* const end = this->IsPlain ? this->ParsePlain(p, row) : nullptr)
@@ -67,12 +68,12 @@ public:
       return end;
     }
     const int count = static_cast<int>(this->Roles.size());
-    Coordinate centre[3];
+    Coordinate center[3];
     p = this->Between.SkipBlanks(p);
     for (int column = 0; column < count; ++column)
     {
       const char* const field = p;
-      // After a delimiter that has to be there even nothing is a field.
+      // After a strict delimiter, even nothing is a field.
       if (this->Between.EndsLine(*p) && !(this->Between.IsStrict() && column == count - 1))
       {
         fault = { RowFault::TooFewColumns, column, p };
@@ -81,7 +82,7 @@ public:
       const ColumnRole role = this->Roles[column];
       if (role <= ColumnRole::Z)
       {
-        p = this->ParseFinite(p, column, centre[static_cast<int>(role)], fault);
+        p = this->ParseFinite(p, column, center[static_cast<int>(role)], fault);
       }
       else if (role <= ColumnRole::Diameter)
       {
@@ -116,12 +117,12 @@ public:
       fault = { RowFault::TooManyColumns, count, p };
       return nullptr;
     }
-    return this->StoreCentre(centre, row, fault) ? p : nullptr;
+    return this->StoreCenter(center, row, fault) ? p : nullptr;
   }
 
 private:
-  // A short cut for the most common row, x y z r with a blank between. Null when `p` is anything
-  // else, be it good or bad: then the general way decides.
+  // A fast path for the most common row: x y z r, separated by a space each. Null if the row is
+  // anything else, valid or not, which is for the general path to decide.
   const char* ParsePlain(const char* p, vtkIdType row) const
   {
     Real values[4];
@@ -131,12 +132,12 @@ private:
     {
       return nullptr;
     }
-    std::copy_n(values, 3, this->Centres + 3 * row);
+    std::copy_n(values, 3, this->Centers + 3 * row);
     this->Radii[row] = values[3];
     return end;
   }
 
-  // Four finite numbers with a space between and nothing else. Returns the line end.
+  // Parses four finite numbers, separated by a space each, and nothing else. Returns the line end.
   const char* ParseSpaced(const char* p, Real (&values)[4]) const
   {
     for (Real& value : values)
@@ -152,10 +153,10 @@ private:
     return IsLineEnd(*p) ? p : nullptr;
   }
 
-  // Fractions are placed in the box before they are rounded to Real.
+  // Fractions are taken to coordinates in double precision, before they are rounded to Real.
   using Coordinate = std::conditional_t<Scaled, double, Real>;
 
-  // One number in a field of its own. Null when the field is anything else.
+  // Parses a field that is one number, quoted or not. Null if it is anything else.
   template <typename T>
   const char* ParseField(const char* p, T& value) const
   {
@@ -200,7 +201,7 @@ private:
     return end;
   }
 
-  // A missing value is not a number; text makes the whole column text.
+  // An empty field is NaN; any other that is no number makes the whole column text.
   const char* ParseExtra(const char* p, int column, vtkIdType row) const
   {
     double& value = this->Extras[column][row];
@@ -219,16 +220,16 @@ private:
 
   const char* SkipField(const char* p) const { return this->Between.FieldEnd(p); }
 
-  bool StoreCentre(const Coordinate (&centre)[3], vtkIdType row, RowFault& fault) const
+  bool StoreCenter(const Coordinate (&center)[3], vtkIdType row, RowFault& fault) const
   {
-    Real* const to = this->Centres + 3 * row;
+    Real* const to = this->Centers + 3 * row;
     for (int axis = 0; axis < 3; ++axis)
     {
       if constexpr (Scaled)
       {
         const BoxFrame& box = *this->Layout.Box;
-        to[axis] = static_cast<Real>(box.Origin[axis] + centre[0] * box.Edges[0][axis] +
-          centre[1] * box.Edges[1][axis] + centre[2] * box.Edges[2][axis]);
+        to[axis] = static_cast<Real>(box.Origin[axis] + center[0] * box.Edges[0][axis] +
+          center[1] * box.Edges[1][axis] + center[2] * box.Edges[2][axis]);
         if (!std::isfinite(to[axis]))
         {
           const auto column =
@@ -239,7 +240,7 @@ private:
       }
       else
       {
-        to[axis] = centre[axis];
+        to[axis] = center[axis];
       }
     }
     return true;
@@ -248,7 +249,7 @@ private:
   const TableLayout& Layout;
   const Separators Between;
   const char* TextEnd;
-  Real* Centres;
+  Real* Centers;
   Real* Radii;
   std::vector<double*> Extras;
   std::atomic<bool>* IsText;

@@ -9,16 +9,17 @@
 namespace spherepacking
 {
 /**
- * What stands between the fields of a line, and how to step over fields. Every function stops at a
- * line end at the latest, so the text must have one.
+ * Splits lines into fields. Every function stops at a line end at the latest, so the text must have
+ * one.
  */
 class Separators
 {
 public:
-  /// Blanks, and at most one comma or semicolon among them; a # ends the line.
+  /// Fields are separated by blanks, with at most one comma or semicolon among them; # begins a
+  /// comment, which counts as the end of the line.
   static Separators Liberal() { return Separators(0); }
 
-  /// Exactly one `delimiter` between fields, which may be empty or in double quotes.
+  /// Fields are separated by exactly one `delimiter`, may be empty and may be in double quotes.
   static Separators Strict(char delimiter) { return Separators(delimiter); }
 
   bool IsStrict() const { return this->Strictly; }
@@ -56,7 +57,7 @@ public:
     return last;
   }
 
-  /// All fields of the line at `p`, quotes taken off.
+  /// All fields of the line at `p`, without their quotes.
   std::vector<std::string_view> Split(const char* p) const
   {
     std::vector<std::string_view> fields;

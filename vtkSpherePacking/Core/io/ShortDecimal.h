@@ -20,7 +20,7 @@ inline std::uint64_t EightDigits(std::uint64_t digits)
   return (low + high) >> 32 & 0xFFFFFFFFull;
 }
 
-/// Eight characters, the first in the lowest byte; of a digit its value remains.
+/// Eight characters, the first in the lowest byte, with digits turned into their values.
 inline std::uint64_t LoadDigits(const char* p)
 {
   std::uint64_t text;
@@ -29,9 +29,9 @@ inline std::uint64_t LoadDigits(const char* p)
 }
 
 /**
- * The number `digits` / 10^`decimals`, with at most 7 decimals. Both are exact as long as there are
- * not too many digits, so their quotient is rounded once (W. Clinger, "How to Read Floating Point
- * Numbers Accurately", 1990). False when there are.
+ * The number `whole` + `fraction` / 10^`decimals`, with at most 7 decimals, rounded once: dividend
+ * and divisor are integers that `T` holds exactly, and division rounds correctly (W. Clinger, "How
+ * to Read Floating Point Numbers Accurately", 1990). False if there are too many digits for that.
  */
 template <typename T>
 inline bool MakeDecimal(std::uint64_t whole, std::uint64_t fraction, int decimals, T& value)
@@ -43,9 +43,9 @@ inline bool MakeDecimal(std::uint64_t whole, std::uint64_t fraction, int decimal
 }
 
 /**
- * Reads a number without sign and exponent that has at most 8 digits before and 1 to 7 after its
- * point, as most files of limited precision have, without a branch for each decimal. Null for
- * anything else, be it a number or not.
+ * A fast path for numbers without sign and exponent and with 1 to 8 digits before and 1 to 7 after
+ * the point, as in files of limited precision: all decimals are parsed at once in a 64-bit word.
+ * Returns the end of the number, or null for anything else, a number or not.
  */
 template <typename T>
 inline const char* ParseShortDecimal(const char* p, const char* end, T& value)
@@ -55,7 +55,7 @@ inline const char* ParseShortDecimal(const char* p, const char* end, T& value)
 #else
   if (end - p < 17)
   {
-    return nullptr; // what is read below at once may not be there
+    return nullptr; // LoadDigits() below would read beyond the end
   }
   const auto isDigit = [](char c) { return static_cast<unsigned char>(c - '0') < 10; };
   std::uint64_t whole = 0;
@@ -72,14 +72,14 @@ inline const char* ParseShortDecimal(const char* p, const char* end, T& value)
 
   const std::uint64_t digits = LoadDigits(p);
   const std::uint64_t others = ((digits + 0x7676767676767676ull) | digits) & 0x8080808080808080ull;
-  // The bytes up to the first that is no digit, counted by adding up a bit of each.
+  // Counts the bytes up to the first that is no digit, by adding up one bit of each.
   const std::uint64_t upTo = ((others & (~others + 1)) - 1) & 0x0101010101010101ull;
   const int count = static_cast<int>((upTo * 0x0101010101010101ull) >> 56) - 1;
   if (others == 0 || count == 0 || (p[count] | 0x20) == 'e')
   {
     return nullptr;
   }
-  // As if zeros stood before the digits.
+  // The shift puts zeros before the digits.
   const std::uint64_t fraction = EightDigits(digits << (8 * (8 - count)));
   return MakeDecimal(whole, fraction, count, value) ? p + count : nullptr;
 #endif

@@ -15,8 +15,8 @@ namespace spherepacking
 {
 #ifdef __SSE2__
 /**
- * Where bytes of some kinds are among 64, a bit for each byte, the first in the lowest bit (G.
- * Langdale and D. Lemire, "Parsing Gigabytes of JSON per Second", 2019). SSE2 is part of x86-64.
+ * Bit masks of the bytes of a kind among 64, the first in the lowest bit (G. Langdale and D.
+ * Lemire, "Parsing Gigabytes of JSON per Second", 2019). SSE2 is part of x86-64.
  */
 struct ByteMasks
 {
@@ -45,10 +45,10 @@ struct ByteMasks
 #endif
 
 /**
- * Reads a row of four numbers as ParseShortDecimal() takes, each perhaps with a minus, a space
- * between, all within 64 bytes. As the ends of all fields are found at once, a number need not
- * wait for the one before it, which takes more time than the rest. Returns the line end, or null
- * for anything else, be it a row or not.
+ * A fast path for rows of four numbers as ParseShortDecimal() takes, each with or without a minus,
+ * separated by a space each, within 64 bytes. The ends of all fields are found at once, so the
+ * processor parses the four side by side, whereas one after the other each would wait for the end
+ * of the last. Returns the line end, or null for anything else, a row or not.
  */
 template <typename T>
 inline const char* ParseShortRow(const char* p, const char* end, T (&values)[4])
@@ -56,23 +56,23 @@ inline const char* ParseShortRow(const char* p, const char* end, T (&values)[4])
 #ifdef __SSE2__
   if (end - p < 64 + 8)
   {
-    return nullptr; // what is read below at once may not be there
+    return nullptr; // the loads below would read beyond the end
   }
   const ByteMasks masks(p);
   const std::uint64_t signs = masks.Minuses & (masks.Spaces << 1 | 1);
   std::uint64_t marks = masks.Others & ~signs; // point, space, ..., point, line end
   const auto nextMark = [&marks]
   {
-    const int place = __builtin_ctzll(marks);
+    const int position = __builtin_ctzll(marks);
     marks &= marks - 1;
-    return place;
+    return position;
   };
   int begin = 0;
   for (T& value : values)
   {
     if ((marks & (marks - 1)) == 0)
     {
-      return nullptr; // less than two marks
+      return nullptr; // fewer than two marks
     }
     const int point = nextMark();
     const int last = nextMark();
@@ -84,7 +84,7 @@ inline const char* ParseShortRow(const char* p, const char* end, T (&values)[4])
     {
       return nullptr;
     }
-    // As if zeros stood before the digits.
+    // The shifts put zeros before the digits.
     const std::uint64_t whole = EightDigits(LoadDigits(p + begin) << (8 * (8 - wholes)));
     const std::uint64_t fraction = EightDigits(LoadDigits(p + point + 1) << (8 * (8 - decimals)));
     if (!MakeDecimal(whole, fraction, decimals, value))

@@ -13,34 +13,34 @@ namespace
 {
 using Fields = std::vector<std::string_view>;
 
-// The lines that tell the columns.
+// The lines at the beginning of a table that say what its columns are.
 struct Head
 {
-  std::string_view YadeNames;               // the word after #format
+  std::string_view YadeNames;               // the field after #format
   TextRange Comment{ nullptr, nullptr, 0 }; // the last one that names columns, if any
   TextRange Row{ nullptr, nullptr, 0 };
 };
 
-// The names that a comment may give to columns: its words, but for units and for what announces
-// names, such as "columns:".
-Fields NamesOfComment(const char* words)
+// The names that a comment may give to columns: its fields, except units and a leading label such
+// as "columns:".
+Fields NamesOfComment(const char* comment)
 {
   Fields names;
-  for (std::string_view word : Separators::Liberal().Split(words))
+  for (std::string_view name : Separators::Liberal().Split(comment))
   {
-    const bool colon = !word.empty() && word.back() == ':';
-    const bool announces = colon && names.empty() && word.size() > 2;
-    const bool unit = !word.empty() && (word.front() == '(' || word.front() == '[');
-    if (!announces && !unit)
+    const bool colon = !name.empty() && name.back() == ':';
+    const bool label = colon && names.empty() && name.size() > 2;
+    const bool unit = !name.empty() && (name.front() == '(' || name.front() == '[');
+    if (!label && !unit)
     {
-      word.remove_suffix(colon ? 1 : 0);
-      names.push_back(word);
+      name.remove_suffix(colon ? 1 : 0);
+      names.push_back(name);
     }
   }
   return names;
 }
 
-Head FindHead(const std::string& file, const TextRange& text)
+Head FindHead(const TextRange& text)
 {
   Head head;
   LineFinder find(text.End);
@@ -56,29 +56,29 @@ Head FindHead(const std::string& file, const TextRange& text)
     }
     if (first != end)
     {
-      const char* words = first;
-      while (words != end && *words == '#')
+      const char* comment = first;
+      while (comment != end && *comment == '#')
       {
-        ++words;
+        ++comment;
       }
       std::string complaint;
-      if (ColumnsFromNames(NamesOfComment(words), complaint))
+      if (ColumnsFromNames(NamesOfComment(comment), complaint))
       {
-        head.Comment = { words, end, number };
+        head.Comment = { comment, end, number };
       }
-      const Fields fields = Separators::Liberal().Split(words);
-      if (first + 1 == words && fields.size() >= 2 && fields[0] == "format" && *words == 'f')
+      const Fields fields = Separators::Liberal().Split(comment);
+      if (first + 1 == comment && fields.size() >= 2 && fields[0] == "format" && *comment == 'f')
       {
         head.YadeNames = fields[1];
       }
     }
     p = SkipLineEnd(end, text.End);
   }
-  ThrowNoSphere(file, "lines of x y z radius");
+  ThrowNoSphere("lines of x y z radius");
 }
 
-// 1,5 for one and a half: a comma right between digits in a line that has other separators too
-// and no point. Taken as a separator it would pass two numbers off as four.
+// Whether a row has commas right between digits, as in 1,5 for one and a half, besides other
+// separators and no point. Taken for separators they would make two numbers of each.
 bool HasDecimalCommas(const TextRange& row)
 {
   bool bareComma = false;
@@ -111,24 +111,24 @@ char FindDelimiter(const TextRange& header, std::string_view delimiters)
   return 0;
 }
 
-std::vector<Column> ColumnsFromHeader(const std::string& file, const TextRange& line,
-  const Separators& between, std::string_view expected)
+std::vector<Column> ColumnsFromHeader(const TextRange& line, const Separators& between)
 {
   std::string complaint;
   const auto columns = ColumnsFromNames(between.Split(line.Begin), complaint);
   if (!columns)
   {
-    ThrowAtLine(file, line.FirstLine,
-      "found the columns " + Quote(line.Begin, line.End) + ", expected " + std::string(expected));
+    throw LineError(line.FirstLine,
+      "found the columns " + Quote(line.Begin, line.End) +
+        ", expected a header that names x, y, z and one of r, radius, d, diameter");
   }
   if (!complaint.empty())
   {
-    ThrowAtLine(file, line.FirstLine, complaint);
+    throw LineError(line.FirstLine, complaint);
   }
   return *columns;
 }
 
-// Names for `fields` whose sphere is at the given places.
+// Numbered columns for `fields`, but for x, y, z and radius at the given indices.
 std::vector<Column> NamelessColumns(const Fields& fields, const std::vector<std::size_t>& sphere)
 {
   std::vector<Column> columns;
@@ -136,33 +136,32 @@ std::vector<Column> NamelessColumns(const Fields& fields, const std::vector<std:
   {
     columns.push_back({ ColumnRole::Extra, "column_" + std::to_string(i + 1) });
   }
-  const Column parts[4] = { { ColumnRole::X, "x" }, { ColumnRole::Y, "y" }, { ColumnRole::Z, "z" },
-    { ColumnRole::Radius, "radius" } };
+  const Column components[4] = { { ColumnRole::X, "x" }, { ColumnRole::Y, "y" },
+    { ColumnRole::Z, "z" }, { ColumnRole::Radius, "radius" } };
   for (std::size_t i = 0; i < 4; ++i)
   {
-    columns[sphere[i]] = parts[i];
+    columns[sphere[i]] = components[i];
   }
   return columns;
 }
 
-[[noreturn]] void ThrowTooFew(
-  const std::string& file, const Head& head, std::size_t found, const char* kind)
+[[noreturn]] void ThrowTooFew(const Head& head, std::size_t found, const char* kind)
 {
-  ThrowAtLine(file, head.Row.FirstLine,
+  throw LineError(head.Row.FirstLine,
     "found " + std::to_string(found) + kind + (found == 1 ? "column " : "columns ") +
       Quote(head.Row.Begin, head.Row.End) + ", expected at least 4: x y z radius");
 }
 
-std::vector<Column> FirstFour(const std::string& file, const Head& head, const Fields& fields)
+std::vector<Column> FirstFour(const Head& head, const Fields& fields)
 {
   if (fields.size() < 4)
   {
-    ThrowTooFew(file, head, fields.size(), " ");
+    ThrowTooFew(head, fields.size(), " ");
   }
   return NamelessColumns(fields, { 0, 1, 2, 3 });
 }
 
-std::vector<Column> LastFourNumeric(const std::string& file, const Head& head, const Fields& fields)
+std::vector<Column> LastFourNumeric(const Head& head, const Fields& fields)
 {
   std::vector<std::size_t> numeric;
   for (std::size_t i = 0; i < fields.size(); ++i)
@@ -174,14 +173,14 @@ std::vector<Column> LastFourNumeric(const std::string& file, const Head& head, c
   }
   if (numeric.size() < 4)
   {
-    ThrowTooFew(file, head, numeric.size(), " numeric ");
+    ThrowTooFew(head, numeric.size(), " numeric ");
   }
   return NamelessColumns(fields, { numeric.end() - 4, numeric.end() });
 }
 
 // #format x_y_z_r_attrs names all but the columns that attrs stands for, of which there may be
 // none.
-std::vector<Column> ColumnsOfYade(const std::string& file, const Head& head, const Fields& fields)
+std::vector<Column> ColumnsOfYade(const Head& head, const Fields& fields)
 {
   Fields names;
   for (std::string_view rest = head.YadeNames; !rest.empty();)
@@ -207,7 +206,7 @@ std::vector<Column> ColumnsOfYade(const std::string& file, const Head& head, con
   const auto columns = ColumnsFromNames(names, complaint);
   if (!columns || !complaint.empty())
   {
-    ThrowAtLine(file, head.Row.FirstLine,
+    throw LineError(head.Row.FirstLine,
       "found rows under #format " +
         Quote(head.YadeNames.data(), head.YadeNames.data() + head.YadeNames.size()) +
         ", expected a format such as x_y_z_r or x_y_z_r_matId");
@@ -217,8 +216,7 @@ std::vector<Column> ColumnsOfYade(const std::string& file, const Head& head, con
 
 // The columns that a comment names, when there are as many as in a row. Throws when there are not
 // and a diameter is among them, which would pass as a radius.
-bool ColumnsFromComment(
-  const std::string& file, const Head& head, const Fields& fields, std::vector<Column>& columns)
+bool ColumnsFromComment(const Head& head, const Fields& fields, std::vector<Column>& columns)
 {
   if (!head.Comment.Begin)
   {
@@ -235,7 +233,7 @@ bool ColumnsFromComment(
   if (std::any_of(found->begin(), found->end(),
         [](const Column& column) { return column.Role == ColumnRole::Diameter; }))
   {
-    ThrowAtLine(file, head.Comment.FirstLine,
+    throw LineError(head.Comment.FirstLine,
       "found a diameter among the " + std::to_string(names.size()) + " names " +
         Quote(SkipBlanks(head.Comment.Begin, head.Comment.End), head.Comment.End) +
         " over rows of " + std::to_string(fields.size()) +
@@ -244,7 +242,7 @@ bool ColumnsFromComment(
   return false;
 }
 
-void DetectCsv(const std::string& file, const Head& head, TableLayout& layout, TextRange& text)
+void DetectCsv(const Head& head, TableLayout& layout, TextRange& text)
 {
   if (const char delimiter = FindDelimiter(head.Row, ";\t,"))
   {
@@ -253,18 +251,16 @@ void DetectCsv(const std::string& file, const Head& head, TableLayout& layout, T
   const Fields fields = layout.Between.Split(head.Row.Begin);
   const bool numbers = !fields.empty() &&
     std::all_of(fields.begin(), fields.end(), [](auto f) { return IsNumber(f); });
-  if (numbers && ColumnsFromComment(file, head, fields, layout.Columns))
+  if (numbers && ColumnsFromComment(head, fields, layout.Columns))
   {
     return;
   }
-  layout.Columns = ColumnsFromHeader(file, head.Row, layout.Between,
-    "a header that names x, y, z and one of r, radius, d, diameter");
+  layout.Columns = ColumnsFromHeader(head.Row, layout.Between);
   text = { SkipLineEnd(head.Row.End, text.End), text.End, head.Row.FirstLine + 1 };
-  MarkTextColumns(layout, FindHead(file, text).Row.Begin);
+  MarkTextColumns(layout, FindHead(text).Row.Begin);
 }
 
-void DetectPlain(
-  const std::string& file, Format format, const Head& head, TableLayout& layout, TextRange& text)
+void DetectPlain(Format format, const Head& head, TableLayout& layout, TextRange& text)
 {
   const Fields fields = layout.Between.Split(head.Row.Begin);
   std::string complaint;
@@ -275,39 +271,39 @@ void DetectPlain(
     {
       layout.Between = Separators::Strict(delimiter);
     }
-    layout.Columns = ColumnsFromHeader(file, head.Row, layout.Between, "");
+    layout.Columns = ColumnsFromHeader(head.Row, layout.Between);
     text = { SkipLineEnd(head.Row.End, text.End), text.End, head.Row.FirstLine + 1 };
-    MarkTextColumns(layout, FindHead(file, text).Row.Begin);
+    MarkTextColumns(layout, FindHead(text).Row.Begin);
     return;
   }
   if (HasDecimalCommas(head.Row))
   {
-    ThrowAtLine(file, head.Row.FirstLine,
+    throw LineError(head.Row.FirstLine,
       "found what looks like decimal commas in " + Quote(head.Row.Begin, head.Row.End) +
         ", expected decimal points");
   }
-  if (!ColumnsFromComment(file, head, fields, layout.Columns))
+  if (!ColumnsFromComment(head, fields, layout.Columns))
   {
-    layout.Columns = !head.YadeNames.empty() ? ColumnsOfYade(file, head, fields)
-      : format == Format::Xyzr               ? LastFourNumeric(file, head, fields)
-                                             : FirstFour(file, head, fields);
+    layout.Columns = !head.YadeNames.empty() ? ColumnsOfYade(head, fields)
+      : format == Format::Xyzr               ? LastFourNumeric(head, fields)
+                                             : FirstFour(head, fields);
   }
   MarkTextColumns(layout, head.Row.Begin);
 }
 }
 
 //------------------------------------------------------------------------------
-TableLayout DetectTable(const std::string& file, Format format, TextRange& text)
+TableLayout DetectTable(Format format, TextRange& text)
 {
-  const Head head = FindHead(file, text);
+  const Head head = FindHead(text);
   TableLayout layout;
   if (format == Format::Csv)
   {
-    DetectCsv(file, head, layout, text);
+    DetectCsv(head, layout, text);
   }
   else
   {
-    DetectPlain(file, format, head, layout, text);
+    DetectPlain(format, head, layout, text);
   }
   layout.Expected = DescribeColumns(layout.Columns);
   return layout;

@@ -6,16 +6,14 @@
 #include "io/TableLayout.h"
 #include "io/TextLines.h"
 
-#include <string>
-
 namespace spherepacking
 {
 /**
- * Finds the columns of a table from its header, from a comment before the first row that is one,
- * or else from the first row. On return `text` begins after a header that is no comment. Throws
- * when there is no row or no telling where the sphere is.
+ * Detects the columns of a table by its header, by a comment before the first row that serves as
+ * one, or else by the first row. On return `text` begins after a header that is no comment. Throws
+ * if there is no row, or if the columns of the sphere cannot be detected.
  */
-TableLayout DetectTable(const std::string& file, Format format, TextRange& text);
+TableLayout DetectTable(Format format, TextRange& text);
 }
 
 #endif

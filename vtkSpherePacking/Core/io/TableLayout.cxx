@@ -36,7 +36,7 @@ ColumnRole RoleOfName(std::string_view name)
   return found == roles.end() ? ColumnRole::Extra : found->second;
 }
 
-// The name of an array has to be UTF-8; bytes of another encoding are spelt out.
+// The name of an array must be UTF-8; bytes of another encoding are escaped.
 std::string ArrayName(std::string_view name)
 {
   const auto isControl = [](char c) { return c >= 0 && c < ' '; };
@@ -82,7 +82,7 @@ std::optional<std::vector<Column>> ColumnsFromNames(
     {
       column.Name = "column_" + std::to_string(i + 1);
     }
-    // Two columns for one thing, be it by one name or by two such as r and radius.
+    // Two columns of one role, by the same name or by two such as r and radius.
     const std::string key = column.Role == ColumnRole::Extra
       ? column.Name
       : "/" + std::to_string(static_cast<int>(column.Role));

@@ -19,8 +19,8 @@ enum class ColumnRole : unsigned char
   Z,
   Radius,
   Diameter,
-  Extra, ///< a further number, which becomes a point array
-  Text   ///< something that is no number and is left out
+  Extra, ///< further numbers, which become a point array
+  Text   ///< anything else, which is skipped
 };
 
 struct Column
@@ -29,7 +29,8 @@ struct Column
   std::string Name;
 };
 
-/// Where fractions of a periodic box lie in space: Origin + x Edge[0] + y Edge[1] + z Edge[2].
+/// The periodic box of scaled coordinates: x, y, z lie at Origin + x Edges[0] + y Edges[1] +
+/// z Edges[2].
 struct BoxFrame
 {
   double Origin[3];
@@ -42,23 +43,24 @@ struct TableLayout
   std::vector<Column> Columns;
   Separators Between = Separators::Liberal();
   RowKind Rows = RowKind::Data;
-  std::optional<BoxFrame> Box; ///< set when the centres are fractions of this box
-  std::string Expected;        ///< the columns in words, for messages
+  std::optional<BoxFrame> Box; ///< if the coordinates are scaled, that is fractions of this box
+  std::string Expected;        ///< describes the columns, for messages
 };
 
 /**
- * Roles after the names of columns in any letter case: x, y, z, r, rad or radius, d, diam or
- * diameter; a unit in brackets may follow. With a radius a diameter is a further column. Nothing
- * when a coordinate or both sizes are missing.
- * `complaint` is set when a name stands twice.
+ * Finds the roles of columns by their names, in any letter case: x, y, z, r, rad or radius, d, diam
+ * or diameter, perhaps followed by a unit in brackets. Beside a radius a diameter is a further
+ * column. Returns nothing if a coordinate or both radius and diameter are missing; sets `complaint`
+ * if two names mean the same column.
  */
 std::optional<std::vector<Column>> ColumnsFromNames(
   const std::vector<std::string_view>& names, std::string& complaint);
 
-/// Turns further columns whose field in the row at `p` is something, but no number, into text.
+/// Makes those further columns text that hold anything but a number in the row at `p`; an empty
+/// field does not count.
 void MarkTextColumns(TableLayout& layout, const char* p);
 
-/// Whether `field` is a number and nothing else.
+/// Whether the whole of `field` is a number.
 bool IsNumber(std::string_view field);
 
 /// "4 columns: x y z radius", for messages.

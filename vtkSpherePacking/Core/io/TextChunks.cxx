@@ -8,7 +8,7 @@ namespace spherepacking
 {
 namespace
 {
-// Sets the number of rows, and FirstLine to the number of lines.
+// Sets Rows to the number of rows and FirstLine to the number of lines.
 void CountLines(RowKind kind, TextChunk& chunk)
 {
   LineFinder find(chunk.End);
@@ -22,8 +22,8 @@ void CountLines(RowKind kind, TextChunk& chunk)
   chunk.FirstLine = lines;
 }
 
-// The same for a chunk in which every line ends in LF and is sure to be a row, since it begins with
-// neither a blank nor a #; false for any other. The loop is one that compilers vectorise.
+// The same for a chunk in which every line ends in LF and begins with neither a blank nor a #, so
+// that it is a row; false for any other. Compilers vectorise the loop.
 bool CountPlainLines(TextChunk& chunk)
 {
   const auto special = [](char c) { return static_cast<unsigned char>(c) <= ' ' || c == '#'; };
@@ -31,7 +31,7 @@ bool CountPlainLines(TextChunk& chunk)
   {
     return false;
   }
-  constexpr std::ptrdiff_t block = 128; // a byte can count that far
+  constexpr std::ptrdiff_t block = 128; // so that a byte can count the line ends
   vtkIdType lines = 0;
   const char* const last = chunk.End - 1;
   for (const char* p = chunk.Begin; p < last; p += block)
@@ -76,7 +76,7 @@ std::vector<TextChunk> CutIntoChunks(
     p = cut;
   }
 
-  // FirstLine and FirstRow hold the counts of the chunk itself until they are summed up.
+  // FirstLine holds the number of lines of the chunk itself until these are summed up.
   ForInBatches(
     static_cast<vtkIdType>(chunks.size()), 4, progress,
     [&](vtkIdType first, vtkIdType last)

@@ -11,28 +11,28 @@
 
 namespace spherepacking
 {
-/// Which lines of a text hold a sphere.
+/// Which lines of a text are rows, that is hold a sphere.
 enum class RowKind : unsigned char
 {
   Data, ///< all but blank ones and those that begin with #
   Atom  ///< those that begin with ATOM or HETATM
 };
 
-/// Whether the line that begins at `begin` holds a sphere. `*end` is a line end, be it of a later
-/// line.
+/// Whether the line that begins at `begin` is a row. `*end` must be a line end, but may be that of
+/// a later line.
 inline bool IsRow(RowKind kind, const char* begin, const char* end)
 {
   if (kind == RowKind::Atom)
   {
-    const auto begins = [&](const char* word, std::ptrdiff_t length)
-    { return end - begin >= length && std::memcmp(begin, word, length) == 0; };
+    const auto begins = [&](const char* record, std::ptrdiff_t length)
+    { return end - begin >= length && std::memcmp(begin, record, length) == 0; };
     return begins("ATOM", 4) || begins("HETATM", 6);
   }
   begin = SkipBlanks(begin, end);
   return *begin != '#' && !IsLineEnd(*begin);
 }
 
-/// Whole lines that one thread parses at a time, with their place in the file and in the output.
+/// Whole lines that one thread parses at a time, and the rows of the output that they become.
 struct TextChunk : TextRange
 {
   vtkIdType FirstRow = 0;
@@ -40,9 +40,9 @@ struct TextChunk : TextRange
 };
 
 /**
- * Cuts `text` at line ends into pieces of about `chunkSize` bytes and counts their lines and rows,
- * so that each can be parsed by itself straight into its place. Rows count from `firstRow` on.
- * The cuts do not depend on the number of threads.
+ * Splits `text` at line ends into chunks of about `chunkSize` bytes and counts their lines and rows
+ * in parallel, so that each can be parsed by itself straight into its rows of the output, from
+ * `firstRow` on. The chunks do not depend on the number of threads.
  */
 std::vector<TextChunk> CutIntoChunks(
   const TextRange& text, RowKind kind, vtkIdType chunkSize, vtkIdType firstRow, Progress& progress);

@@ -10,7 +10,7 @@
 namespace spherepacking
 {
 /**
- * A piece of a text file, with the number of its first line in the file. `*End` must be readable.
+ * A range of a text file, with the number of its first line in the file. `*End` must be readable.
  */
 struct TextRange
 {
@@ -49,8 +49,8 @@ inline const char* SkipLineEnd(const char* p, const char* end)
 }
 
 /**
- * Finds line ends in order. The next LF and the next CR are remembered, so that a text with only
- * one of the two is still walked in linear time.
+ * Finds line ends in ascending order. It remembers the next LF and the next CR, so that a text with
+ * only one of the two is still scanned in linear time.
  */
 class LineFinder
 {
@@ -60,7 +60,8 @@ public:
   {
   }
 
-  /// The terminator of the line that `p` lies in, or the end. `p` must not go backwards.
+  /// The terminator of the line that `p` is in, or the end. `p` must not be before that of the last
+  /// call.
   const char* operator()(const char* p)
   {
     if (!this->NextLf || this->NextLf < p)

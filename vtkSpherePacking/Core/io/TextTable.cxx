@@ -19,11 +19,12 @@ struct BadRow
   RowFault Fault{};
 };
 
-// Whether ATOM, number, name, residue and number of the residue stand in [begin, end), at least.
-// Without one of these, what is last in the record is something else than it should be.
-bool HasFrontOfAtom(const TableLayout& layout, const char* begin, const char* end)
+// Whether [begin, end) has the fields that come first in an ATOM record: ATOM, number, name,
+// residue and number of the residue, at least. If one is missing, the last fields are not those
+// expected.
+bool HasLeadingFields(const TableLayout& layout, const char* begin, const char* end)
 {
-  constexpr std::size_t least = 5;
+  constexpr std::size_t minimum = 5;
   std::size_t count = 0;
   std::string_view last;
   for (const char* p = SkipBlanks(begin, end); p != end; p = SkipBlanks(p, end))
@@ -34,12 +35,13 @@ bool HasFrontOfAtom(const TableLayout& layout, const char* begin, const char* en
     p = next;
     ++count;
   }
-  // A chain's letter in the place of the residue's number: that has no digit.
-  return count > least || (count == least && last.find_first_of("0123456789") != last.npos);
+  // With five, the last is the residue's number, and not the letter of a chain without digits.
+  return count > minimum || (count == minimum && last.find_first_of("0123456789") != last.npos);
 }
 
-// Where the fields of interest begin in an ATOM record, which has them last, after a varying
-// number of others (T. Dolinsky et al., "PDB2PQR", 2004).
+// Where the layout's columns begin in an ATOM record, which has them last, after a varying number
+// of others (T. Dolinsky et al., "PDB2PQR: an automated pipeline for the setup of
+// Poisson-Boltzmann electrostatics calculations", 2004).
 const char* FirstField(const TableLayout& layout, const char* begin, const char* end)
 {
   const char* p = end;
@@ -70,7 +72,7 @@ void ParseChunk(
     {
       const bool atom = layout.Rows == RowKind::Atom;
       const char* first = atom ? FirstField(layout, p, find(p)) : p;
-      if (atom && !HasFrontOfAtom(layout, p, first))
+      if (atom && !HasLeadingFields(layout, p, first))
       {
         bad = { p, p, { RowFault::TooFewColumns, 0, p } };
         return;
@@ -84,13 +86,12 @@ void ParseChunk(
       }
       ++row;
     }
-    // Parsing leaves off at the line end, except for a comment after the numbers.
+    // Parsing stops at the line end, or at a comment after the numbers.
     p = SkipLineEnd(IsLineEnd(*end) ? end : find(end), chunk.End);
   }
 }
 
-[[noreturn]] void ThrowBadRow(
-  const std::string& file, const TextChunk& chunk, const TableLayout& layout, const BadRow& bad)
+[[noreturn]] void ThrowBadRow(const TextChunk& chunk, const TableLayout& layout, const BadRow& bad)
 {
   const vtkIdType line = chunk.FirstLine + CountLineEnds(chunk.Begin, bad.Line);
   const RowFault& fault = bad.Fault;
@@ -102,12 +103,12 @@ void ParseChunk(
     {
       ++end;
     }
-    ThrowAtLine(file, line,
+    throw LineError(line,
       "found " + std::to_string(found) + (found == 1 ? " column " : " columns ") +
         Quote(SkipBlanks(bad.Line, end), end) + ", expected " + layout.Expected);
   }
   const Column& column = layout.Columns[fault.Column];
-  // A radius is called one even when the column is called r.
+  // A radius is called so even if the column is called r.
   const std::string name = column.Role == ColumnRole::Radius ? "radius"
     : column.Role == ColumnRole::Diameter                    ? "diameter"
                                                              : column.Name;
@@ -116,16 +117,16 @@ void ParseChunk(
   const char* expected = fault.What == RowFault::NotANumber ? "a number"
     : fault.What == RowFault::NotFinite                     ? "a finite number"
                                                             : "a number that is not negative";
-  // The fields of an ATOM record are counted from its end, so a number would mislead.
-  const std::string place = layout.Rows == RowKind::Atom
+  // The columns of an ATOM record are counted from its end, so a number would mislead.
+  const std::string where = layout.Rows == RowKind::Atom
     ? " (" + layout.Expected + ")"
     : " in column " + std::to_string(fault.Column + 1);
-  ThrowAtLine(file, line, "found " + field + " as " + name + place + ", expected " + expected);
+  throw LineError(line, "found " + field + " as " + name + where + ", expected " + expected);
 }
 
 template <typename Real, bool Scaled>
-void ParseInto(PackingArrays& arrays, const std::string& file, const char* textEnd,
-  const TableLayout& layout, const std::vector<TextChunk>& chunks, Progress& progress)
+void ParseInto(PackingArrays& arrays, const char* textEnd, const TableLayout& layout,
+  const std::vector<TextChunk>& chunks, Progress& progress)
 {
   const std::size_t columns = layout.Columns.size();
   std::vector<double*> extras(columns, nullptr);
@@ -138,7 +139,7 @@ void ParseInto(PackingArrays& arrays, const std::string& file, const char* textE
   }
   const auto isText = std::make_unique<std::atomic<bool>[]>(columns);
   const RowParser<Real, Scaled> parser(
-    layout, textEnd, arrays.Centres<Real>(), arrays.Radii<Real>(), extras, isText.get());
+    layout, textEnd, arrays.Centers<Real>(), arrays.Radii<Real>(), extras, isText.get());
 
   std::vector<BadRow> bad(chunks.size());
   std::atomic<bool> failed{ false };
@@ -148,7 +149,7 @@ void ParseInto(PackingArrays& arrays, const std::string& file, const char* textE
     {
       if (bad[i].Line)
       {
-        ThrowBadRow(file, chunks[i], layout, bad[i]);
+        ThrowBadRow(chunks[i], layout, bad[i]);
       }
     }
   };
@@ -178,14 +179,14 @@ void ParseInto(PackingArrays& arrays, const std::string& file, const char* textE
 }
 
 //------------------------------------------------------------------------------
-PackingArrays ParseTable(const std::string& file, const char* textEnd, const TableLayout& layout,
+PackingArrays ParseTable(const char* textEnd, const TableLayout& layout,
   const std::vector<TextChunk>& chunks, bool single, Progress& progress)
 {
   PackingArrays arrays(CountRows(chunks), single);
   const bool scaled = layout.Box.has_value();
   const auto parse = single ? (scaled ? ParseInto<float, true> : ParseInto<float, false>)
                             : (scaled ? ParseInto<double, true> : ParseInto<double, false>);
-  parse(arrays, file, textEnd, layout, chunks, progress);
+  parse(arrays, textEnd, layout, chunks, progress);
   return arrays;
 }
 }

@@ -13,11 +13,11 @@
 namespace spherepacking
 {
 /**
- * Parses the rows of `chunks` in all threads into arrays of their number, single or double. Throws
- * for the first row of the file that does not fit `layout`; `file` is its name, `textEnd` where
- * the text that holds the chunks ends.
+ * Parses the rows of `chunks` in parallel, into arrays of single or double precision. Throws a
+ * LineError for the first row that does not fit `layout`. `textEnd` is the end of the text that
+ * holds the chunks.
  */
-PackingArrays ParseTable(const std::string& file, const char* textEnd, const TableLayout& layout,
+PackingArrays ParseTable(const char* textEnd, const TableLayout& layout,
   const std::vector<TextChunk>& chunks, bool single, Progress& progress);
 }
 

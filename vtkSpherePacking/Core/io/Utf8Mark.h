@@ -6,7 +6,7 @@
 
 namespace spherepacking
 {
-/// Steps over the byte order mark that some editors put before UTF-8.
+/// Skips the byte order mark that some editors put before UTF-8.
 inline const char* SkipUtf8Mark(const char* begin, const char* end)
 {
   return end - begin >= 3 && std::memcmp(begin, "\xEF\xBB\xBF", 3) == 0 ? begin + 3 : begin;

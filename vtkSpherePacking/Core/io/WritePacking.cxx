@@ -30,23 +30,22 @@ struct WrittenColumn
 };
 
 // A name as a field of a CSV header.
-std::string CsvField(const std::string& file, const std::string& name)
+std::string CsvField(const std::string& name)
 {
   if (name.find_first_of(",;\t\"\r\n") == std::string::npos)
   {
     return name;
   }
-  throw PackingFileError(vtkErrorCode::FileFormatError,
-    file + ": the point array " + Quote(name.data(), name.data() + name.size()) +
-      " has a separator, a quote or a line end in its name, expected none, since it goes into the "
-      "header of a CSV file");
+  throw ContentError("the point array " + Quote(name.data(), name.data() + name.size()) +
+    " has a separator, a quote or a line end in its name, expected none, since it goes into the "
+    "header of a CSV file");
 }
 
-// The centre, the radius and the arrays that the format has room for.
+// The centre, the radius and the point arrays that the format can hold.
 std::vector<WrittenColumn> ChooseColumns(const WriteOptions& options)
 {
-  vtkDataArray* centres = options.Packing->GetPoints()->GetData();
-  std::vector<WrittenColumn> columns{ { centres, 0, "x" }, { centres, 1, "y" }, { centres, 2, "z" },
+  vtkDataArray* centers = options.Packing->GetPoints()->GetData();
+  std::vector<WrittenColumn> columns{ { centers, 0, "x" }, { centers, 1, "y" }, { centers, 2, "z" },
     { options.Radii, 0, options.Kind == Format::Csv ? "radius" : "r" } };
   vtkPointData* data = options.Packing->GetPointData();
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)
@@ -64,15 +63,15 @@ std::vector<WrittenColumn> ChooseColumns(const WriteOptions& options)
     }
     for (int c = 0; options.Kind == Format::Csv && c < components; ++c)
     {
-      columns.push_back({ array, c,
-        CsvField(options.File, components == 1 ? name : name + "_" + std::to_string(c)) });
+      columns.push_back(
+        { array, c, CsvField(components == 1 ? name : name + "_" + std::to_string(c)) });
     }
   }
   return columns;
 }
 
-// A name that the reader would take for another column, or for one twice.
-void CheckNames(const WriteOptions& options, const std::vector<WrittenColumn>& columns)
+// Throws if the reader would take the name of an array for another column, or for the same twice.
+void CheckNames(const std::vector<WrittenColumn>& columns)
 {
   std::vector<std::string_view> names;
   for (const WrittenColumn& column : columns)
@@ -82,7 +81,7 @@ void CheckNames(const WriteOptions& options, const std::vector<WrittenColumn>& c
   std::string complaint;
   if (!ColumnsFromNames(names, complaint) || !complaint.empty())
   {
-    throw PackingFileError(vtkErrorCode::FileFormatError, options.File + ": " + complaint);
+    throw ContentError(complaint);
   }
 }
 
@@ -101,7 +100,7 @@ std::string Header(const WriteOptions& options, const std::vector<WrittenColumn>
   return text + '\n';
 }
 
-// The spheres in the order of the file. Empty when that is the order of the packing.
+// The order of the spheres in the file; empty if that is the order of the points.
 std::vector<vtkIdType> LargestFirst(const WriteOptions& options)
 {
   std::vector<vtkIdType> order;
@@ -124,7 +123,7 @@ std::vector<vtkIdType> LargestFirst(const WriteOptions& options)
 void AppendText(
   std::string& text, const std::vector<WrittenColumn>& columns, vtkIdType sphere, char separator)
 {
-  char number[LongestNumber + 1];
+  char number[MaximumNumberLength + 1];
   for (const WrittenColumn& column : columns)
   {
     char* end = WriteNumber(number, column.Array->GetComponent(sphere, column.Component));
@@ -133,8 +132,7 @@ void AppendText(
   }
 }
 
-void AppendBytes(std::string& bytes, const std::vector<WrittenColumn>& columns,
-  const WriteOptions& options, vtkIdType sphere)
+void AppendBytes(std::string& bytes, const std::vector<WrittenColumn>& columns, vtkIdType sphere)
 {
   double values[4];
   for (int i = 0; i < 4; ++i)
@@ -144,40 +142,19 @@ void AppendBytes(std::string& bytes, const std::vector<WrittenColumn>& columns,
   values[3] *= 2.0;
   if (!std::isfinite(values[3]))
   {
-    throw PackingFileError(vtkErrorCode::FileFormatError,
-      options.File + ": found the radius " + NumberText(options.Radii->GetComponent(sphere, 0)) +
-        " at point " + std::to_string(sphere) + ", expected one whose diameter is finite");
+    throw ContentError("found the radius " + NumberText(columns[3].Array->GetComponent(sphere, 0)) +
+      " at point " + std::to_string(sphere) + ", expected one whose diameter is finite");
   }
   vtkByteSwap::SwapLERange(values, 4);
   bytes.append(reinterpret_cast<const char*>(values), sizeof(values));
 }
 
-// The reader multiplies diameters by what an .nfo beside the file says.
-void CheckDiameterScale(const WriteOptions& options)
+// Writes the header and all spheres into `file`, a batch at a time.
+void WriteSpheres(const WriteOptions& options, const std::vector<WrittenColumn>& columns,
+  AtomicFile& file, Progress& progress)
 {
-  const double scale = DiameterScale(options.File);
-  if (scale != 1.0)
-  {
-    throw PackingFileError(vtkErrorCode::CannotOpenFileError,
-      options.File + ": found beside it an .nfo file that scales the diameters by " +
-        NumberText(scale) + ", expected none, or one that leaves them");
-  }
-}
-}
-
-//------------------------------------------------------------------------------
-void WritePacking(const WriteOptions& options, Progress& progress)
-{
-  if (options.Kind == Format::Xyzd)
-  {
-    CheckDiameterScale(options);
-  }
-  const std::vector<WrittenColumn> columns = ChooseColumns(options);
-  CheckNames(options, columns);
   const std::vector<vtkIdType> order = LargestFirst(options);
   const vtkIdType count = options.Packing->GetNumberOfPoints();
-
-  AtomicFile file(options.File);
   std::string buffer = Header(options, columns);
   constexpr vtkIdType batch = 1 << 14;
   for (vtkIdType i = 0; i < count; ++i)
@@ -185,7 +162,7 @@ void WritePacking(const WriteOptions& options, Progress& progress)
     const vtkIdType sphere = order.empty() ? i : order[i];
     if (options.Kind == Format::Xyzd)
     {
-      AppendBytes(buffer, columns, options, sphere);
+      AppendBytes(buffer, columns, sphere);
     }
     else
     {
@@ -198,6 +175,36 @@ void WritePacking(const WriteOptions& options, Progress& progress)
       progress.Report(static_cast<double>(i + 1) / static_cast<double>(count));
     }
   }
-  file.Commit();
+}
+
+// The reader would multiply the diameters by the scale of an .nfo file beside the file.
+void CheckDiameterScale(const std::string& file)
+{
+  const double scale = DiameterScale(file);
+  if (scale != 1.0)
+  {
+    throw PackingFileError(vtkErrorCode::CannotOpenFileError,
+      file + ": found beside it an .nfo file that scales the diameters by " + NumberText(scale) +
+        ", expected none, or one that leaves them");
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+void WritePacking(const std::string& file, const WriteOptions& options, Progress& progress)
+{
+  if (options.Kind == Format::Xyzd)
+  {
+    CheckDiameterScale(file);
+  }
+  const auto write = [&]
+  {
+    const std::vector<WrittenColumn> columns = ChooseColumns(options);
+    CheckNames(columns);
+    AtomicFile target(file);
+    WriteSpheres(options, columns, target, progress);
+    target.Commit();
+  };
+  WithFileName(file, write);
 }
 }

@@ -18,7 +18,6 @@ namespace spherepacking
 /// What to write and how. The radii have been checked and there is at least one sphere.
 struct WriteOptions
 {
-  std::string File;
   Format Kind = Format::Auto;
   vtkPolyData* Packing = nullptr;
   vtkDataArray* Radii = nullptr;
@@ -26,10 +25,10 @@ struct WriteOptions
 };
 
 /**
- * Writes the packing, or throws and leaves the file as it was. Numbers get the shortest digits
+ * Writes a packing, or throws and leaves an earlier file as it was. Numbers get the shortest digits
  * that read back as the same double, so that they also read back as the same float.
  */
-void WritePacking(const WriteOptions& options, Progress& progress);
+void WritePacking(const std::string& file, const WriteOptions& options, Progress& progress);
 }
 
 #endif

@@ -7,36 +7,38 @@ namespace spherepacking
 {
 namespace
 {
-constexpr int MostSteps = 120;
-constexpr double Finest = 1e-7;     // step over clearance at the end
-constexpr double Reach = 2.0;       // what may still be gained, over the step
-constexpr double Stationary = 0.03; // length of a gradient that is as good as none
+constexpr int MaximumSteps = 120;
+constexpr double FinalStep = 1e-7;         // over the clearance
+constexpr double MaximumGain = 2.0;        // that is still expected, over the step
+constexpr double SufficientIncrease = 0.1; // of what the gradient promises, as Armijo's condition
+constexpr double Stationary = 0.03;        // length of a gradient that counts as none
 
-// The shortest vector in the convex hull of unit vectors, nearly.
-Vector3 ShortestIn(const std::vector<Vector3>& vectors)
+// Approximates the shortest vector in the convex hull of unit vectors: Gilbert's iteration, which
+// moves towards the vector that is farthest back.
+Vector3 ShortestInHull(const std::vector<Vector3>& vectors)
 {
   Vector3 shortest = vectors.front();
   for (int i = 0; i < 60; ++i)
   {
     const double square = Dot(shortest, shortest);
-    double least = square;
+    double smallest = square;
     const Vector3* farthest = nullptr;
     for (const Vector3& vector : vectors)
     {
       const double along = Dot(vector, shortest);
-      if (along < least)
+      if (along < smallest)
       {
-        least = along;
+        smallest = along;
         farthest = &vector;
       }
     }
-    if (!farthest || square < Stationary * Stationary || square - least < 1e-3 * square)
+    if (!farthest || square < Stationary * Stationary || square - smallest < 1e-3 * square)
     {
       break;
     }
-    const Vector3 way = *farthest - shortest;
-    const double part = std::min(1.0, (square - least) / Dot(way, way));
-    shortest = shortest + part * way;
+    const Vector3 edge = *farthest - shortest;
+    const double weight = std::min(1.0, (square - smallest) / Dot(edge, edge));
+    shortest = shortest + weight * edge;
   }
   return shortest;
 }
@@ -46,31 +48,31 @@ class Climber
 public:
   Climber(const ClearanceTree& tree, const Vector3& start)
     : Tree(tree)
-    , Place(start)
+    , Point(start)
   {
-    this->Here = this->Look(start);
+    this->Here = this->Sample(start);
   }
 
-  PackedSphere Run(double step, double enough)
+  PackedSphere Run(double step, double required)
   {
-    for (int i = 0; i < MostSteps && step > Finest * this->Here.Clearance; ++i)
+    for (int i = 0; i < MaximumSteps && step > FinalStep * this->Here.Clearance; ++i)
     {
-      if (this->Here.Clearance + Reach * step < enough)
+      if (this->Here.Clearance + MaximumGain * step < required)
       {
         break;
       }
-      const Vector3 way = this->Way(step);
-      const double length = Length(way);
+      const Vector3 ascent = this->SteepestAscent(step);
+      const double length = Length(ascent);
       if (length < Stationary)
       {
         step *= 0.25;
         continue;
       }
-      const Vector3 next = this->Place + (step / length) * way;
-      const ClearanceTree::Found there = this->Look(next);
-      if (there.Clearance > this->Here.Clearance + 0.1 * step * length)
+      const Vector3 next = this->Point + (step / length) * ascent;
+      const ClearanceTree::Sample there = this->Sample(next);
+      if (there.Clearance > this->Here.Clearance + SufficientIncrease * step * length)
       {
-        this->Place = next;
+        this->Point = next;
         this->Here = there;
       }
       else
@@ -78,7 +80,7 @@ public:
         step *= 0.5;
       }
     }
-    return { this->Place, this->Here.Clearance };
+    return { this->Point, this->Here.Clearance };
   }
 
 private:
@@ -88,51 +90,51 @@ private:
     Vector3 Normal; // away from the surface
   };
 
-  ClearanceTree::Found Look(const Vector3& place)
+  ClearanceTree::Sample Sample(const Vector3& point)
   {
-    const ClearanceTree::Found found = this->Tree.At(place, this->Guess);
-    if (found.BySurface && found.Clearance > 0.0)
+    const ClearanceTree::Sample sample = this->Tree.SampleAt(point, this->Guess);
+    if (sample.BySurface && sample.Clearance > 0.0)
     {
-      const Vector3 normal = (1.0 / found.Clearance) * (place - found.Nearest.Point);
-      if (this->Planes.size() == MostPlanes)
+      const Vector3 normal = (1.0 / sample.Clearance) * (point - sample.Nearest.Point);
+      if (this->Planes.size() == MaximumPlanes)
       {
         this->Planes.erase(this->Planes.begin());
       }
-      this->Planes.push_back({ found.Nearest.Point, normal });
-      this->Guess = found.Nearest.Triangle;
+      this->Planes.push_back({ sample.Nearest.Point, normal });
+      this->Guess = sample.Nearest.Triangle;
     }
-    return found;
+    return sample;
   }
 
-  Vector3 Way(double step)
+  Vector3 SteepestAscent(double step)
   {
-    const double most = this->Here.Clearance + step;
+    const double reach = this->Here.Clearance + step;
     this->Gradients.clear();
     for (const std::int32_t i : this->Tree[this->Here.Leaf].Near)
     {
       const PackedSphere& sphere = this->Tree.Spheres()[i];
-      const Vector3 away = this->Place - sphere.Center;
-      const double length = Length(away);
-      if (length - sphere.Radius <= most)
+      const Vector3 offset = this->Point - sphere.Center;
+      const double length = Length(offset);
+      if (length - sphere.Radius <= reach)
       {
-        this->Gradients.push_back((1.0 / length) * away);
+        this->Gradients.push_back((1.0 / length) * offset);
       }
     }
     for (const Plane& plane : this->Planes)
     {
-      if (Dot(this->Place - plane.Point, plane.Normal) <= most)
+      if (Dot(this->Point - plane.Point, plane.Normal) <= reach)
       {
         this->Gradients.push_back(plane.Normal);
       }
     }
-    return this->Gradients.empty() ? Vector3{} : ShortestIn(this->Gradients);
+    return this->Gradients.empty() ? Vector3{} : ShortestInHull(this->Gradients);
   }
 
-  static constexpr std::size_t MostPlanes = 24;
+  static constexpr std::size_t MaximumPlanes = 24;
 
   const ClearanceTree& Tree;
-  Vector3 Place;
-  ClearanceTree::Found Here;
+  Vector3 Point;
+  ClearanceTree::Sample Here;
   std::int32_t Guess = -1;
   std::vector<Plane> Planes;
   std::vector<Vector3> Gradients;
@@ -140,8 +142,8 @@ private:
 }
 
 //------------------------------------------------------------------------------
-PackedSphere Ascend(const ClearanceTree& tree, const Vector3& start, double step, double enough)
+PackedSphere Ascend(const ClearanceTree& tree, const Vector3& start, double step, double required)
 {
-  return Climber(tree, start).Run(step, enough);
+  return Climber(tree, start).Run(step, required);
 }
 }

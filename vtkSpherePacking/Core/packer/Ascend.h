@@ -6,20 +6,23 @@
 
 namespace spherepacking
 {
-/// The sphere that is found from a place by going where the clearance grows, until steps as small
-/// as a ten millionth of it do not help.
+/// A bundle method: climbs from a point to a local maximum of the clearance, until the step is a
+/// ten millionth of the clearance, and returns the sphere there.
 ///
-/// The clearance is the least of many distances. Those within a step of the least have gradients,
-/// of which the shortest vector in their convex hull is the way of steepest ascent; where it
-/// vanishes the steps become shorter. Of the surface, the nearest points of all places so far are
-/// kept, as planes: a nearest point that stops a step turns the next.
+/// The clearance is the minimum of many distances, so it has no gradient at a maximum. The bundle
+/// is the gradients of all distances that may become the minimum within a step; the shortest vector
+/// in their convex hull is the direction of steepest ascent, and where that vanishes the step is
+/// shortened. The gradients of the surface are not known beforehand: the tangent planes at the
+/// nearest points of all points tried so far are its cutting planes, so that a point of the surface
+/// that made a step fail turns the next one.
 ///
-/// It ends early, with a smaller sphere, where steps have become so short that `enough` is out of
-/// reach.
+/// Ends early, with a smaller sphere, once the steps are too short to reach a clearance of
+/// `required`.
 ///
-/// Sources: Wolfe, "Finding the nearest point in a polytope" (1976), for the shortest vector;
-/// Kiwiel, "Methods of descent for nondifferentiable optimization" (1985), for the planes.
-PackedSphere Ascend(const ClearanceTree& tree, const Vector3& start, double step, double enough);
+/// Sources: Kiwiel, "Methods of descent for nondifferentiable optimization" (1985), for the bundle;
+/// Wolfe, "Finding the nearest point in a polytope" (1976), and Gilbert, "An iterative procedure
+/// for computing the minimum of a quadratic form on a convex set" (1966), for the shortest vector.
+PackedSphere Ascend(const ClearanceTree& tree, const Vector3& start, double step, double required);
 }
 
 #endif

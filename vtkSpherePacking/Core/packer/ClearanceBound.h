@@ -8,15 +8,18 @@
 
 namespace spherepacking
 {
-/// An upper bound of the least of several distances, everywhere in a ball.
+/// An upper bound of the smallest of several distances, over all points of a ball.
 ///
-/// Away by u from the ball's middle, the distance to a sphere whose centre is at -a is at most
-/// |a| + n u + u^2 / (2 |a|) less its radius, where n = a / |a|, as the square root is concave. The
-/// least of several is no more than any mean of theirs with weights w: at most the mean of the
-/// distances in the middle, plus h |mean of n|, plus the mean of h^2 / (2 |a|), for the ball's
-/// radius h. Weights for which the mean of n is short are found step by step, as in "An algorithm
-/// for quadratic programming" (Frank and Wolfe, 1956): where spheres are all around, the bound is
-/// hardly above the distance.
+/// At an offset u from the ball's centre, the distance to a sphere whose centre is at -a is at most
+/// d + n.u + |u|^2 / (2 |a|), where n = a / |a| and d is the distance from the ball's centre, as
+/// the square root is concave. The smallest of several distances is at most any mean of them. So in
+/// a ball of radius h, for weights w_i >= 0 of sum 1, it is at most
+///
+///   sum w_i d_i + h |sum w_i n_i| + sum w_i h^2 / (2 |a_i|).
+///
+/// The weights are optimised step by step. Where spheres are all around, the n_i cancel and the
+/// bound is hardly above the distance at the centre.
+/// Source: Frank and Wolfe, "An algorithm for quadratic programming" (1956).
 class ClearanceBound
 {
 public:
@@ -25,21 +28,22 @@ public:
   {
   }
 
-  /// A sphere by the way from its centre to the middle of the ball, |way| = length. More than
-  /// there is room for are left out, which makes the bound no lower.
-  void Add(const Vector3& way, double length, double sphereRadius)
+  /// Adds a sphere, by the vector from its centre to that of the ball and the vector's length. Once
+  /// there is no room it does nothing, which leaves the bound valid.
+  void Add(const Vector3& offset, double length, double sphereRadius)
   {
-    if (this->Count == MostSpheres || !(length > 0.0))
+    if (this->Count == MaximumSpheres || !(length > 0.0))
     {
       return;
     }
-    this->Normals[this->Count] = (1.0 / length) * way;
+    this->Normals[this->Count] = (1.0 / length) * offset;
     this->Distances[this->Count] =
       length - sphereRadius + this->Radius * this->Radius / (2.0 * length);
     ++this->Count;
   }
 
-  /// A plane by the distance of the ball's middle and the direction in which it grows.
+  /// Adds a plane, by its unit normal and the signed distance of the ball's centre from it. Up
+  /// to 8.
   void AddPlane(const Vector3& normal, double distance)
   {
     this->Normals[this->Count] = normal;
@@ -76,18 +80,22 @@ public:
       {
         break;
       }
-      this->Mix(this->Distances[best], this->Normals[best], distance, normal);
+      this->SearchLine(this->Distances[best], this->Normals[best], distance, normal);
     }
     return distance + this->Radius * Length(normal);
   }
 
 private:
-  // Goes to the least on the way to another.
-  void Mix(double other, const Vector3& toward, double& distance, Vector3& normal) const
+  // Moves weight to one of the distances, as much as gives the lowest bound, by a ternary search.
+  void SearchLine(
+    double otherDistance, const Vector3& otherNormal, double& distance, Vector3& normal) const
   {
-    const Vector3 way = toward - normal;
-    const auto at = [&](double part)
-    { return part * (other - distance) + this->Radius * Length(normal + part * way); };
+    const Vector3 direction = otherNormal - normal;
+    const auto at = [&](double weight)
+    {
+      return weight * (otherDistance - distance) +
+        this->Radius * Length(normal + weight * direction);
+    };
     double low = 0.0;
     double high = 1.0;
     for (int i = 0; i < 5; ++i)
@@ -96,19 +104,20 @@ private:
       (at(low + third) < at(high - third) ? high : low) =
         at(low + third) < at(high - third) ? high - third : low + third;
     }
-    const double part = 0.5 * (low + high);
-    distance += part * (other - distance);
-    normal = normal + part * way;
+    const double weight = 0.5 * (low + high);
+    distance += weight * (otherDistance - distance);
+    normal = normal + weight * direction;
   }
 
-  static constexpr int MostSpheres = 24;
-  static constexpr int Most = MostSpheres + 8; // and planes
+  static constexpr int MaximumSpheres = 24;
+  static constexpr int MaximumPlanes = 8;
+  static constexpr int Capacity = MaximumSpheres + MaximumPlanes;
   static constexpr int Steps = 8;
 
   double Radius;
   int Count = 0;
-  double Distances[Most];
-  Vector3 Normals[Most];
+  double Distances[Capacity];
+  Vector3 Normals[Capacity];
 };
 }
 

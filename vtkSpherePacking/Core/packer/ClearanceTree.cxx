@@ -12,67 +12,74 @@ namespace
 {
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-double DistanceTo(const PackedSphere& sphere, const Vector3& place)
+double DistanceTo(const PackedSphere& sphere, const Vector3& point)
 {
-  return Length(place - sphere.Center) - sphere.Radius;
+  return Length(point - sphere.Center) - sphere.Radius;
 }
 
-// Bounds are kept in single precision, rounded to the side on which they stay bounds.
-float Above(double bound)
+// A sphere that may be the nearest to a point of a cell is nearer to the cell's centre than this:
+// both its distance and the clearance change by half of the diagonal at most.
+double ReachOf(const ClearanceTree::Cell& cell)
+{
+  return cell.Clearance + 2.0 * cell.HalfDiagonal();
+}
+
+// Bounds are stored in single precision, rounded to the side on which they remain bounds.
+float RoundUp(double bound)
 {
   const auto rounded = static_cast<float>(bound);
   return rounded < bound ? std::nextafter(rounded, std::numeric_limits<float>::infinity())
                          : rounded;
 }
 
-float TowardsZero(double distance)
+float RoundTowardZero(double distance)
 {
   const auto rounded = static_cast<float>(distance);
   return std::abs(rounded) > std::abs(distance) ? std::nextafter(rounded, 0.0f) : rounded;
 }
 
-Vector3 MiddleOfChild(const Vector3& middle, double half, int child)
+Vector3 CenterOfChild(const Vector3& center, double half, int child)
 {
-  return { middle.X + (child & 1 ? half : -half), middle.Y + (child & 2 ? half : -half),
-    middle.Z + (child & 4 ? half : -half) };
+  return { center.X + (child & 1 ? half : -half), center.Y + (child & 2 ? half : -half),
+    center.Z + (child & 4 ? half : -half) };
 }
 }
 
 //------------------------------------------------------------------------------
 ClearanceTree::ClearanceTree(
-  const TriangleTree& surface, const Vector3& middle, float half, double least)
+  const TriangleTree& surface, const Vector3& center, float halfSide, double minimumRadius)
   : Surface(surface)
-  , Least(least)
+  , MinimumRadius(minimumRadius)
 {
-  this->Blocks.emplace_back(new Eight);
-  Cell& root = this->Of(0);
-  root.Middle = middle;
-  root.Half = half;
+  this->Blocks.emplace_back(new Octet);
+  Cell& root = this->At(0);
+  root.Center = center;
+  root.HalfSide = halfSide;
   double distance = Infinity;
   TriangleTree::Nearest nearest;
-  surface.Closest(middle, distance, nearest);
-  distance = surface.IsInside(middle) ? distance : -distance;
-  root.Surface = TowardsZero(distance);
-  root.Clearance = Above(distance);
-  root.Bound = Above(root.Clearance + root.Diagonal());
+  surface.FindNearest(center, distance, nearest);
+  distance = surface.IsInside(center) ? distance : -distance;
+  root.SurfaceDistance = RoundTowardZero(distance);
+  root.Clearance = RoundUp(distance);
+  root.Bound = RoundUp(root.Clearance + root.HalfDiagonal());
 }
 
 //------------------------------------------------------------------------------
-ClearanceTree::Eight ClearanceTree::Split(std::int32_t leaf) const
+ClearanceTree::Octet ClearanceTree::Split(std::int32_t leaf) const
 {
   const Cell& parent = (*this)[leaf];
-  Eight children;
+  Octet children;
   std::array<TriangleTree::Nearest, 8> nearest;
   for (int i = 0; i < 8; ++i)
   {
     Cell& child = children[i];
-    child.Half = 0.5f * parent.Half;
-    child.Middle = MiddleOfChild(parent.Middle, child.Half, i);
+    child.HalfSide = 0.5f * parent.HalfSide;
+    child.Center = CenterOfChild(parent.Center, child.HalfSide, i);
     nearest[i] = this->Measure(parent, i > 0 ? nearest[i - 1].Triangle : -1, child);
   }
   for (int i = 0; i < 8; ++i)
   {
-    if (!children[i].Dead)
+    if (!children[i].Pruned)
     {
       this->FindBound(parent, nearest, i, children[i]);
     }
@@ -87,32 +94,33 @@ TriangleTree::Nearest ClearanceTree::Measure(
   double spheres = Infinity;
   for (const std::int32_t i : parent.Near)
   {
-    spheres = std::min(spheres, DistanceTo(this->Packed[i], child.Middle));
+    spheres = std::min(spheres, DistanceTo(this->Packed[i], child.Center));
   }
-  const double diagonal = child.Diagonal();
+  const double diagonal = child.HalfDiagonal();
   TriangleTree::Nearest nearest;
-  child.Dead = !(spheres + diagonal > this->Least);
-  if (child.Dead)
+  child.Pruned = !(spheres + diagonal > this->MinimumRadius);
+  if (child.Pruned)
   {
     return nearest;
   }
-  // The middles of parent and child are half of the child's diagonal apart.
-  const double bound = std::abs(parent.Surface) - diagonal;
-  const bool side = bound > 0.0 ? parent.Surface > 0.0 : this->Surface.IsInside(child.Middle);
+  // The centres of parent and child are half of the child's diagonal apart.
+  const double bound = std::abs(parent.SurfaceDistance) - diagonal;
+  const bool side =
+    bound > 0.0 ? parent.SurfaceDistance > 0.0 : this->Surface.IsInside(child.Center);
   double surface = bound;
   if (!(bound > (side ? spheres : diagonal)))
   {
     surface = std::max(spheres, diagonal);
     nearest.Triangle = guess;
-    if (!this->Surface.Closest(child.Middle, surface, nearest))
+    if (!this->Surface.FindNearest(child.Center, surface, nearest))
     {
       nearest.Triangle = -1;
     }
   }
-  child.Surface = TowardsZero(side ? surface : -surface);
-  child.Clearance = Above(std::min(spheres, side ? surface : -surface));
-  child.Bound = Above(child.Clearance + diagonal);
-  child.Dead = !(child.Bound > this->Least);
+  child.SurfaceDistance = RoundTowardZero(side ? surface : -surface);
+  child.Clearance = RoundUp(std::min(spheres, side ? surface : -surface));
+  child.Bound = RoundUp(child.Clearance + diagonal);
+  child.Pruned = !(child.Bound > this->MinimumRadius);
   return nearest;
 }
 
@@ -120,168 +128,175 @@ TriangleTree::Nearest ClearanceTree::Measure(
 void ClearanceTree::FindBound(const Cell& parent,
   const std::array<TriangleTree::Nearest, 8>& nearest, int number, Cell& child) const
 {
-  const double diagonal = child.Diagonal();
-  const double most = child.Clearance + 2.0 * diagonal;
-  ClearanceBound clearances(diagonal);
+  const double reach = ReachOf(child);
+  ClearanceBound bound(child.HalfDiagonal());
   for (const std::int32_t i : parent.Near)
   {
     const PackedSphere& sphere = this->Packed[i];
-    const Vector3 away = child.Middle - sphere.Center;
-    const double length = Length(away);
-    if (length - sphere.Radius < most)
+    const Vector3 offset = child.Center - sphere.Center;
+    const double length = Length(offset);
+    if (length - sphere.Radius < reach)
     {
       child.Near.Add(i);
-      clearances.Add(away, length, sphere.Radius);
+      bound.Add(offset, length, sphere.Radius);
     }
   }
-  child.Bound = std::min(child.Bound, Above(clearances.Value()));
-  child.Dead = !(child.Bound > this->Least);
-  if (child.Dead)
+  child.Bound = std::min(child.Bound, RoundUp(bound.Value()));
+  child.Pruned = !(child.Bound > this->MinimumRadius);
+  if (child.Pruned)
   {
     child.Near.Clear();
     return;
   }
-  // What is nearest to its neighbours may lie on the other side of it.
-  for (int other = 0; other < 8 && child.Surface > 0.0f; ++other)
+  this->AddSiblingPlanes(child, nearest, number, bound);
+  float estimate = RoundUp(bound.Value());
+  if (nearest[number].Triangle >= 0)
+  {
+    estimate = std::min(estimate, this->EstimateBySurface(child, nearest[number], bound));
+  }
+  // Above the minimum radius: an estimate puts other leaves first, but prunes none.
+  child.Bound = std::min(
+    child.Bound, std::max({ estimate, child.Clearance, RoundUp(1.001 * this->MinimumRadius) }));
+}
+
+//------------------------------------------------------------------------------
+// The triangle that is nearest to a sibling may be the other wall of a gap.
+void ClearanceTree::AddSiblingPlanes(const Cell& cell,
+  const std::array<TriangleTree::Nearest, 8>& nearest, int number, ClearanceBound& bound) const
+{
+  const double reach = ReachOf(cell);
+  for (int other = 0; other < 8 && cell.SurfaceDistance > 0.0f; ++other)
   {
     const std::int32_t triangle = nearest[other].Triangle;
     if (triangle >= 0 && triangle != nearest[number].Triangle)
     {
       bool inside;
-      const TriangleTree::Nearest on = this->Surface.ClosestOn(triangle, child.Middle, inside);
-      const Vector3 away = child.Middle - on.Point;
-      const double distance = Length(away);
-      if (inside && distance < most && distance > diagonal)
+      const TriangleTree::Nearest on = this->Surface.NearestOn(triangle, cell.Center, inside);
+      const Vector3 offset = cell.Center - on.Point;
+      const double distance = Length(offset);
+      if (inside && distance < reach && distance > cell.HalfDiagonal())
       {
-        clearances.AddPlane((1.0 / distance) * away, distance);
+        bound.AddPlane((1.0 / distance) * offset, distance);
       }
     }
   }
-  float guess = Above(clearances.Value());
-  if (nearest[number].Triangle >= 0)
-  {
-    guess = std::min(guess, this->GuessBySurface(child, nearest[number], clearances));
-  }
-  // A guess only says that others come first.
-  child.Bound =
-    std::min(child.Bound, std::max({ guess, child.Clearance, Above(1.001 * this->Least) }));
 }
 
 //------------------------------------------------------------------------------
-float ClearanceTree::GuessBySurface(
+float ClearanceTree::EstimateBySurface(
   const Cell& cell, const TriangleTree::Nearest& nearest, const ClearanceBound& others) const
 {
-  const double length = Length(cell.Middle - nearest.Point);
+  const double length = Length(cell.Center - nearest.Point);
   if (!(length > 0.0))
   {
     return cell.Bound;
   }
-  const double distance = cell.Surface > 0.0f ? length : -length;
-  const Vector3 inwards = (1.0 / distance) * (cell.Middle - nearest.Point);
-  ClearanceBound clearances = others;
-  clearances.AddPlane(inwards, distance);
-  float guess = Above(clearances.Value());
-  const double beyond = cell.Diagonal() - distance;
-  if (guess < cell.Bound && beyond > 0.0)
+  const double distance = cell.SurfaceDistance > 0.0f ? length : -length;
+  const Vector3 inwards = (1.0 / distance) * (cell.Center - nearest.Point);
+  ClearanceBound bound = others;
+  bound.AddPlane(inwards, distance);
+  float estimate = RoundUp(bound.Value());
+  const double beyond = cell.HalfDiagonal() - distance;
+  if (estimate < cell.Bound && beyond > 0.0)
   {
-    // Some places of the cell lie beyond the triangle's plane. Where these are inside, too, behind
-    // another sheet of the surface, their distance grows the other way.
+    // A part of the cell lies beyond the plane. Where that is inside, too, behind another sheet of
+    // the surface, the clearance grows the other way.
     if (this->Surface.IsInside(nearest.Point - (0.7 * beyond) * inwards))
     {
-      clearances = others;
-      clearances.AddPlane(-1.0 * inwards, -distance);
-      guess = std::max(guess, Above(clearances.Value()));
+      bound = others;
+      bound.AddPlane(-1.0 * inwards, -distance);
+      estimate = std::max(estimate, RoundUp(bound.Value()));
     }
   }
-  return guess;
+  return estimate;
 }
 
 //------------------------------------------------------------------------------
-void ClearanceTree::Refresh(std::int32_t leaf)
+void ClearanceTree::RefreshBound(std::int32_t leaf)
 {
-  Cell& cell = this->Of(leaf);
+  Cell& cell = this->At(leaf);
   if (cell.Stale)
   {
-    ClearanceBound clearances(cell.Diagonal());
+    ClearanceBound bound(cell.HalfDiagonal());
     for (const std::int32_t i : cell.Near)
     {
       const PackedSphere& sphere = this->Packed[i];
-      const Vector3 away = cell.Middle - sphere.Center;
-      clearances.Add(away, Length(away), sphere.Radius);
+      const Vector3 offset = cell.Center - sphere.Center;
+      bound.Add(offset, Length(offset), sphere.Radius);
     }
-    cell.Bound = std::min(cell.Bound, Above(clearances.Value()));
-    cell.Bound = std::min(cell.Bound, Above(cell.Clearance + cell.Diagonal()));
+    cell.Bound = std::min(cell.Bound, RoundUp(bound.Value()));
+    cell.Bound = std::min(cell.Bound, RoundUp(cell.Clearance + cell.HalfDiagonal()));
     cell.Stale = false;
   }
 }
 
 //------------------------------------------------------------------------------
-std::int32_t ClearanceTree::Install(std::int32_t leaf, Eight&& children)
+std::int32_t ClearanceTree::Install(std::int32_t leaf, Octet&& children)
 {
   std::int32_t block;
-  if (this->Free.empty())
+  if (this->FreeBlocks.empty())
   {
     block = static_cast<std::int32_t>(this->Blocks.size());
-    this->Blocks.emplace_back(new Eight);
+    this->Blocks.emplace_back(new Octet);
   }
   else
   {
-    block = this->Free.back();
-    this->Free.pop_back();
+    block = this->FreeBlocks.back();
+    this->FreeBlocks.pop_back();
   }
   for (int i = 0; i < 8; ++i)
   {
     Cell& to = (*this->Blocks[block])[i];
-    const std::uint32_t birth = to.Birth + 1;
+    const std::uint32_t generation = to.Generation + 1;
     to = std::move(children[i]);
-    to.Birth = birth;
+    to.Generation = generation;
   }
-  Cell& parent = this->Of(leaf);
+  Cell& parent = this->At(leaf);
   parent.Child = 8 * block;
   parent.Near.Clear();
   return parent.Child;
 }
 
 //------------------------------------------------------------------------------
-ClearanceTree::Found ClearanceTree::At(const Vector3& place, std::int32_t guess) const
+ClearanceTree::Sample ClearanceTree::SampleAt(const Vector3& point, std::int32_t guess) const
 {
   std::int32_t at = 0;
   while ((*this)[at].Child >= 0)
   {
-    const Vector3& middle = (*this)[at].Middle;
-    at = (*this)[at].Child + (place.X > middle.X ? 1 : 0) + (place.Y > middle.Y ? 2 : 0) +
-      (place.Z > middle.Z ? 4 : 0);
+    const Vector3& center = (*this)[at].Center;
+    at = (*this)[at].Child + (point.X > center.X ? 1 : 0) + (point.Y > center.Y ? 2 : 0) +
+      (point.Z > center.Z ? 4 : 0);
   }
   const Cell& leaf = (*this)[at];
-  Found found;
-  found.Leaf = at;
-  found.Clearance = Infinity;
-  const Vector3 away = place - leaf.Middle;
-  if (leaf.Dead ||
-    std::max(std::max(std::abs(away.X), std::abs(away.Y)), std::abs(away.Z)) > leaf.Half)
+  Sample sample;
+  sample.Leaf = at;
+  sample.Clearance = Infinity;
+  const Vector3 offset = point - leaf.Center;
+  if (leaf.Pruned ||
+    std::max(std::max(std::abs(offset.X), std::abs(offset.Y)), std::abs(offset.Z)) > leaf.HalfSide)
   {
-    found.Clearance = 0.0;
-    return found;
+    sample.Clearance = 0.0;
+    return sample;
   }
   for (const std::int32_t i : leaf.Near)
   {
-    found.Clearance = std::min(found.Clearance, DistanceTo(this->Packed[i], place));
+    sample.Clearance = std::min(sample.Clearance, DistanceTo(this->Packed[i], point));
   }
-  const double bound = std::abs(leaf.Surface) - Length(away);
-  const bool inside = bound > 0.0 ? leaf.Surface > 0.0 : this->Surface.IsInside(place);
+  const double bound = std::abs(leaf.SurfaceDistance) - Length(offset);
+  const bool inside = bound > 0.0 ? leaf.SurfaceDistance > 0.0 : this->Surface.IsInside(point);
   if (!inside)
   {
-    found.Clearance = 0.0;
-    return found;
+    sample.Clearance = 0.0;
+    return sample;
   }
-  if (bound < found.Clearance)
+  if (bound < sample.Clearance)
   {
     TriangleTree::Nearest nearest;
     nearest.Triangle = guess;
-    found.BySurface = this->Surface.Closest(place, found.Clearance, nearest);
-    found.Nearest = nearest;
+    sample.BySurface = this->Surface.FindNearest(point, sample.Clearance, nearest);
+    sample.Nearest = nearest;
   }
-  return found;
+  return sample;
 }
 
 //------------------------------------------------------------------------------
@@ -294,35 +309,34 @@ void ClearanceTree::Insert(const PackedSphere& sphere)
 //------------------------------------------------------------------------------
 bool ClearanceTree::InsertBelow(std::int32_t at, const PackedSphere& sphere)
 {
-  Cell& cell = this->Of(at);
-  if (cell.Dead)
+  Cell& cell = this->At(at);
+  if (cell.Pruned)
   {
     return true;
   }
-  // Elsewhere something else is nearer to all places of the cell.
-  const double distance = DistanceTo(sphere, cell.Middle);
-  if (!(distance < cell.Clearance + 2.0 * cell.Diagonal()))
+  const double distance = DistanceTo(sphere, cell.Center);
+  if (!(distance < ReachOf(cell)))
   {
     return false;
   }
-  cell.Clearance = std::min(cell.Clearance, Above(distance));
-  cell.Dead = !(cell.Clearance + cell.Diagonal() > this->Least);
+  cell.Clearance = std::min(cell.Clearance, RoundUp(distance));
+  cell.Pruned = !(cell.Clearance + cell.HalfDiagonal() > this->MinimumRadius);
   if (cell.Child >= 0)
   {
-    bool dead = true;
+    bool pruned = true;
     const std::int32_t first = cell.Child;
     for (std::int32_t child = first; child < first + 8; ++child)
     {
-      dead = this->InsertBelow(child, sphere) && dead;
+      pruned = this->InsertBelow(child, sphere) && pruned;
     }
-    cell.Dead = dead;
-    if (dead)
+    cell.Pruned = pruned;
+    if (pruned)
     {
-      this->Free.push_back(first / 8);
+      this->FreeBlocks.push_back(first / 8);
       cell.Child = -1;
     }
   }
-  else if (cell.Dead)
+  else if (cell.Pruned)
   {
     cell.Near.Clear();
   }
@@ -331,6 +345,6 @@ bool ClearanceTree::InsertBelow(std::int32_t at, const PackedSphere& sphere)
     cell.Stale = true;
     cell.Near.Add(static_cast<std::int32_t>(this->Packed.size()) - 1);
   }
-  return cell.Dead;
+  return cell.Pruned;
 }
 }

@@ -8,7 +8,8 @@
 
 namespace spherepacking
 {
-/// A few numbers, in as little memory as can be: there are millions of such lists.
+/// A short list of integers in little memory, of a pointer alone if it is empty: there are
+/// millions.
 class IdList
 {
 public:
@@ -30,11 +31,11 @@ public:
   const std::int32_t* end() const { return this->begin() + this->Size(); }
 
 private:
-  static constexpr std::int32_t Step = 5; // with the size, what fits into the least of allocations
+  static constexpr std::int32_t Step = 5; // with the size, what fits into the smallest allocation
 
   std::int32_t Size() const { return this->Values ? this->Values[0] : 0; }
 
-  std::unique_ptr<std::int32_t[]> Values; // their number, then they
+  std::unique_ptr<std::int32_t[]> Values; // the size, then the elements
 };
 }
 

@@ -8,14 +8,18 @@
 
 namespace spherepacking
 {
-/// Turns the triangles of a surface without open edges outwards.
+/// Orients the triangles of a surface without open edges outwards.
 ///
-/// Triangles that share an edge with no third one are turned alike and make a patch. Patches that
-/// share an edge make a shell, unless they are closed by themselves. A shell is turned so that it
-/// bounds what is inside of it; one that lies within an odd number of others bounds a hole.
+/// Triangles that are connected by edges with no third triangle are a patch, see OrientPatches().
+/// Patches that share an edge are a shell, but a patch that is closed by itself is a shell of its
+/// own. A shell is oriented outwards, away from what it encloses, unless it lies inside an odd
+/// number of other shells: then it bounds a hole and is oriented inwards.
 ///
-/// Asks `goOn` again and again. If that says no, the triangles are left as they are by then, and
-/// the result is false.
+/// VTK's vtkPolyDataNormals orients closed surfaces without non-manifold edges, which it asks for,
+/// and all shells outwards; here edges may be non-manifold and shells may be holes.
+///
+/// Calls `goOn` again and again. Once that says no, the result is false and the triangles may be
+/// oriented either way.
 bool OrientShells(SurfaceMesh& mesh, const std::function<bool()>& goOn);
 }
 

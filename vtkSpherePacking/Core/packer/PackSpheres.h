@@ -12,24 +12,28 @@ namespace spherepacking
 /// When to stop, whichever comes first.
 struct PackingGoal
 {
-  std::int64_t Count;     ///< spheres
-  double LeastRadius;     ///< above 0
+  std::int64_t Count;     ///< of the spheres
+  double MinimumRadius;   ///< above 0
   double Volume;          ///< of all spheres, or infinity
-  std::uint64_t Seed = 0; ///< where the octree lies
+  std::uint64_t Seed = 0; ///< shifts the octree
 };
 
-/// Is told how many spheres there are, and says whether to go on.
+/// Receives the number of spheres so far and their volume; returns whether to go on.
 using PackingProgress = std::function<bool(std::int64_t count, double volume)>;
 
-/// Fills the inside of a surface, whose triangles are turned outwards, with spheres that overlap
-/// neither each other nor the surface: again and again about the largest that fits.
-/// They are sorted, largest first. The result does not depend on the threads.
+/// Fills the inside of a surface that is oriented outwards with spheres that overlap neither each
+/// other nor the surface: again and again about the largest that fits, as ProtoSphere does.
+/// Returns them largest first. The result does not depend on the number of threads.
 ///
-/// Leaves of an octree are split where the bound of the clearance is largest, as in a branch-and-
-/// bound search, many at once. From small ones, the clearance is climbed; what is found becomes a
-/// sphere if its radius lies in the band of bounds of its leaf. In gaps that are thin for their
-/// width, bounds stay far above all clearances for long: after some time the best that can be
-/// climbed to from any leaf is taken.
+/// ProtoSphere moves random points, prototypes, to maxima of the distance; here these are found by
+/// branch and bound. Rounds take the leaves of an octree whose bounds of the clearance are highest.
+/// A leaf that is large for its bound is split. From a small one Ascend() climbs to a maximum,
+/// which becomes a sphere if its radius lies in the same band as the bound of the leaf, and if not,
+/// the leaf is split, too. In gaps that are thin for their width, bounds stay far above all
+/// clearances for long: after some rounds without a sphere, the largest that can be climbed to from
+/// any leaf is taken.
+/// Source: Weller and Zachmann, "ProtoSphere: a GPU-assisted prototype guided sphere packing
+/// algorithm for arbitrary objects" (2010).
 std::vector<PackedSphere> PackSpheres(const SurfaceMesh& mesh, const PackingGoal& goal,
   const ParallelFor& parallelFor, const PackingProgress& progress);
 }

@@ -8,31 +8,31 @@ namespace spherepacking
 {
 namespace
 {
-constexpr std::int32_t Leaf = 4;
+constexpr std::int32_t TrianglesPerLeaf = 4;
 }
 
 //------------------------------------------------------------------------------
-Vector3 ClosestOnTriangle(const Vector3& place, const Vector3 (&corners)[3])
+Vector3 NearestOnTriangle(const Vector3& point, const Vector3 (&corners)[3])
 {
   const Vector3& a = corners[0];
   const Vector3& b = corners[1];
   const Vector3& c = corners[2];
   const Vector3 ab = b - a;
   const Vector3 ac = c - a;
-  const double d1 = Dot(ab, place - a);
-  const double d2 = Dot(ac, place - a);
+  const double d1 = Dot(ab, point - a);
+  const double d2 = Dot(ac, point - a);
   if (d1 <= 0.0 && d2 <= 0.0)
   {
     return a;
   }
-  const double d3 = Dot(ab, place - b);
-  const double d4 = Dot(ac, place - b);
+  const double d3 = Dot(ab, point - b);
+  const double d4 = Dot(ac, point - b);
   if (d3 >= 0.0 && d4 <= d3)
   {
     return b;
   }
-  const double d5 = Dot(ab, place - c);
-  const double d6 = Dot(ac, place - c);
+  const double d5 = Dot(ab, point - c);
+  const double d6 = Dot(ac, point - c);
   if (d6 >= 0.0 && d5 <= d6)
   {
     return c;
@@ -83,7 +83,7 @@ std::int32_t TriangleTree::Build(std::int32_t first, std::int32_t count)
   node.Count = count;
   this->Measure(node);
   this->Nodes.push_back(node);
-  if (count <= Leaf)
+  if (count <= TrianglesPerLeaf)
   {
     return at;
   }
@@ -92,11 +92,11 @@ std::int32_t TriangleTree::Build(std::int32_t first, std::int32_t count)
   {
     axis = node.High[other] - node.Low[other] > node.High[axis] - node.Low[axis] ? other : axis;
   }
-  const auto middle = [axis](const Corners& corners)
+  const auto centroid = [axis](const Corners& corners)
   { return corners.Of[0][axis] + corners.Of[1][axis] + corners.Of[2][axis]; };
   const auto begin = this->Triangles.begin() + first;
   std::nth_element(begin, begin + count / 2, begin + count,
-    [&](const Corners& a, const Corners& b) { return middle(a) < middle(b); });
+    [&](const Corners& a, const Corners& b) { return centroid(a) < centroid(b); });
   this->Build(first, count / 2);
   const std::int32_t child = this->Build(first + count / 2, count - count / 2);
   this->Nodes[at].Child = child;
@@ -124,64 +124,64 @@ void TriangleTree::Measure(Node& node) const
     const Vector3 area = 0.5 * Cross(corners[1] - corners[0], corners[2] - corners[0]);
     node.Area = node.Area + area;
     areas += Length(area);
-    node.Middle = node.Middle + (Length(area) / 3.0) * (corners[0] + corners[1] + corners[2]);
+    node.Centroid = node.Centroid + (Length(area) / 3.0) * (corners[0] + corners[1] + corners[2]);
   }
   const Vector3 low = { node.Low[0], node.Low[1], node.Low[2] };
   const Vector3 high = { node.High[0], node.High[1], node.High[2] };
-  node.Middle = areas > 0.0 ? (1.0 / areas) * node.Middle : 0.5 * (low + high);
+  node.Centroid = areas > 0.0 ? (1.0 / areas) * node.Centroid : 0.5 * (low + high);
   for (std::int32_t i = 0; i < node.Count; ++i)
   {
     for (const Vector3& corner : triangles[i].Of)
     {
-      node.Radius = std::max(node.Radius, Length(corner - node.Middle));
+      node.Radius = std::max(node.Radius, Length(corner - node.Centroid));
     }
   }
 }
 
 //------------------------------------------------------------------------------
-double TriangleTree::SquareToBox(const Node& node, const Vector3& place)
+double TriangleTree::SquaredDistanceToBox(const Node& node, const Vector3& point)
 {
   double square = 0.0;
   for (int axis = 0; axis < 3; ++axis)
   {
     const double outside =
-      std::max(std::max(node.Low[axis] - place[axis], place[axis] - node.High[axis]), 0.0);
+      std::max(std::max(node.Low[axis] - point[axis], point[axis] - node.High[axis]), 0.0);
     square += outside * outside;
   }
   return square;
 }
 
 //------------------------------------------------------------------------------
-bool TriangleTree::Closest(const Vector3& place, double& distance, Nearest& nearest) const
+bool TriangleTree::FindNearest(const Vector3& point, double& distance, Nearest& nearest) const
 {
   struct Entry
   {
     std::int32_t Node;
     double Square;
   };
-  Entry open[2 * MostDepth];
+  Entry open[2 * MaximumDepth];
   int count = 0;
   double best = distance * distance;
   bool found = false;
-  const auto look = [&](std::int32_t triangle)
+  const auto test = [&](std::int32_t triangle)
   {
-    const Vector3 point = ClosestOnTriangle(place, this->Triangles[triangle].Of);
-    const Vector3 away = place - point;
+    const Vector3 on = NearestOnTriangle(point, this->Triangles[triangle].Of);
+    const Vector3 away = point - on;
     const double square = Dot(away, away);
     if (square < best)
     {
       best = square;
-      nearest = { point, triangle };
+      nearest = { on, triangle };
       found = true;
     }
   };
   if (nearest.Triangle >= 0)
   {
-    look(nearest.Triangle);
+    test(nearest.Triangle);
   }
   if (!this->Nodes.empty())
   {
-    open[count++] = { 0, SquareToBox(this->Nodes[0], place) };
+    open[count++] = { 0, SquaredDistanceToBox(this->Nodes[0], point) };
   }
   while (count > 0)
   {
@@ -195,12 +195,12 @@ bool TriangleTree::Closest(const Vector3& place, double& distance, Nearest& near
     {
       for (std::int32_t i = node.First; i < node.First + node.Count; ++i)
       {
-        look(i);
+        test(i);
       }
       continue;
     }
-    Entry near = { entry.Node + 1, SquareToBox(this->Nodes[entry.Node + 1], place) };
-    Entry far = { node.Child, SquareToBox(this->Nodes[node.Child], place) };
+    Entry near = { entry.Node + 1, SquaredDistanceToBox(this->Nodes[entry.Node + 1], point) };
+    Entry far = { node.Child, SquaredDistanceToBox(this->Nodes[node.Child], point) };
     if (far.Square < near.Square)
     {
       std::swap(near, far);
@@ -216,13 +216,13 @@ bool TriangleTree::Closest(const Vector3& place, double& distance, Nearest& near
 }
 
 //------------------------------------------------------------------------------
-TriangleTree::Nearest TriangleTree::ClosestOn(
-  std::int32_t triangle, const Vector3& place, bool& inside) const
+TriangleTree::Nearest TriangleTree::NearestOn(
+  std::int32_t triangle, const Vector3& point, bool& inside) const
 {
   const Vector3(&corners)[3] = this->Triangles[triangle].Of;
   const Vector3 normal = Cross(corners[1] - corners[0], corners[2] - corners[0]);
-  inside = Dot(place - corners[0], normal) < 0.0;
-  return { ClosestOnTriangle(place, corners), triangle };
+  inside = Dot(point - corners[0], normal) < 0.0;
+  return { NearestOnTriangle(point, corners), triangle };
 }
 
 //------------------------------------------------------------------------------

@@ -6,87 +6,92 @@
 
 namespace spherepacking
 {
-struct AxisLine;
+struct AxisRay;
 
-/// Distances to triangles, and on which side of them a place lies, through a tree of boxes.
+/// A bounding volume hierarchy of triangles: nearest points, and what is inside of them.
+///
+/// Unlike Bvh, which rays traverse in single precision, it is searched by distance in double
+/// precision, and its nodes have dipoles for winding numbers.
 class TriangleTree
 {
 public:
   explicit TriangleTree(const SurfaceMesh& mesh);
 
+  /// A point of a triangle.
   struct Nearest
   {
     Vector3 Point;
     std::int32_t Triangle = -1; ///< in the order of the tree
   };
 
-  /// Whether a triangle is nearer than `distance`, which becomes that of the nearest, and its
-  /// nearest point. If `nearest` has a triangle, that is looked at first: a good guess saves time.
-  bool Closest(const Vector3& place, double& distance, Nearest& nearest) const;
+  /// Whether a triangle is nearer to a point than `distance`, which becomes that to the nearest. If
+  /// `nearest` has a triangle, that is tried first: a good guess prunes most of the search.
+  bool FindNearest(const Vector3& point, double& distance, Nearest& nearest) const;
 
-  /// The nearest point of one triangle, and whether the place is on the triangle's inner side.
-  Nearest ClosestOn(std::int32_t triangle, const Vector3& place, bool& inside) const;
+  /// The nearest point of one triangle; `inside` becomes whether its normal points away from
+  /// `point`.
+  Nearest NearestOn(std::int32_t triangle, const Vector3& point, bool& inside) const;
 
-  /// Of length 1, outwards if the triangle is turned outwards.
+  /// Of length 1, outwards if the triangle is oriented outwards.
   Vector3 NormalOf(std::int32_t triangle) const;
 
-  /// Whether a place lies inside of a surface that is turned outwards: whether its winding number
-  /// is above 0.5.
+  /// Whether a point is inside a surface that is oriented outwards, that is whether its generalised
+  /// winding number is above 0.5. The tree must have triangles.
   ///
-  /// Of a closed surface that is how often half a line from the place leaves it, less how often it
-  /// enters. Where a few edges have not as many triangles that go one way as such that go the
-  /// other, caps close the surface, and what they add is taken off again. What rounding leaves in
-  /// doubt is left to another line and, in the end, to WindingNumber(), and so are surfaces that
-  /// have many such edges. There are triangles.
+  /// The winding number of a closed surface is the sum of the signed crossings of a ray from the
+  /// point. A surface with a few unbalanced edges is first closed by caps, a fan of triangles over
+  /// these edges, of which the winding number, found by their solid angles, is taken off again.
+  /// Where rounding leaves a crossing in doubt, another ray is cast, and WindingNumber() decides if
+  /// all three are in doubt or there are too many unbalanced edges.
   /// Source: Martens and Bessmeltsev, "One-shot method for computing generalized winding numbers"
   /// (2025).
-  bool IsInside(const Vector3& place) const;
+  bool IsInside(const Vector3& point) const;
 
-  /// How often the surface goes around a place: 1 inside and 0 outside of one that is closed and
-  /// turned outwards. Near to open edges, or to triangles that are turned the wrong way, it is in
-  /// between.
+  /// The generalised winding number: how often the surface winds around a point, 1 inside and 0
+  /// outside of one that is closed and oriented outwards. Near open edges, or triangles that are
+  /// oriented inwards, it lies in between.
   ///
-  /// Groups of triangles that are far away, compared with their size, count as one dipole, from
-  /// farther away as long as that leaves in doubt whether it is above 0.5. So it is right to about
-  /// 0.15 for each time that the surface is seen, and no more than that.
+  /// A node that is farther away than beta times its radius counts as a dipole; beta doubles until
+  /// the error leaves no doubt whether the sum is above 0.5. The number itself is therefore only
+  /// good to about 0.15, times how often the surface covers the sphere of directions.
   /// Sources: Jacobson, Kavan and Sorkine-Hornung, "Robust inside-outside segmentation using
   /// generalized winding numbers" (2013); Barill, Dickson, Schmidt, Levin and Jacobson, "Fast
   /// winding numbers for soups and clouds" (2018).
-  double WindingNumber(const Vector3& place) const;
+  double WindingNumber(const Vector3& point) const;
 
 private:
   struct Node
   {
     double Low[3];
     double High[3];
-    Vector3 Middle;      ///< of the triangles' areas
-    Vector3 Area;        ///< sum of the triangles' areas times their normals
-    double Radius = 0.0; ///< of a ball about the middle
+    Vector3 Centroid;    ///< weighted by area
+    Vector3 Area;        ///< the dipole moment: sum of the normals times the areas
+    double Radius = 0.0; ///< of a ball around the triangles, about the centroid
     std::int32_t First = 0;
     std::int32_t Count = 0;
-    std::int32_t Child = -1; ///< the second; the first comes next
+    std::int32_t Child = -1; ///< the second; the first is the next node
   };
   struct Corners
   {
     Vector3 Of[3];
   };
 
-  // A triangle that counts so many times.
+  /// A triangle that closes the surface at an unbalanced edge.
   struct Cap
   {
     Corners Triangle;
-    int Times;
+    int Multiplicity; ///< negative if it is oriented the other way
   };
 
-  static constexpr int MostDepth = 64; ///< nodes are halved by their number
+  static constexpr int MaximumDepth = 64; ///< nodes are split in half by count
 
-  std::array<AxisLine, 3> ShortestLines(const Vector3& place) const;
+  std::array<AxisRay, 3> ShortestRays(const Vector3& point) const;
   void MakeCaps(const SurfaceMesh& mesh);
-  bool SumCrossings(const AxisLine& line, int& turns) const;
-  double SumAngles(const Vector3& place, double far, double& dipoles) const;
+  bool SumCrossings(const AxisRay& ray, int& sum) const;
+  double SumSolidAngles(const Vector3& point, double beta, double& dipoles) const;
   std::int32_t Build(std::int32_t first, std::int32_t count);
   void Measure(Node& node) const;
-  static double SquareToBox(const Node& node, const Vector3& place);
+  static double SquaredDistanceToBox(const Node& node, const Vector3& point);
 
   std::vector<Cap> Caps;
   bool IsCapped = false;
@@ -94,13 +99,13 @@ private:
   std::vector<Node> Nodes;
 };
 
-/// The point of a triangle that is nearest to a place.
+/// The point of a triangle that is nearest to `point`.
 /// Source: Ericson, "Real-time collision detection" (2005), section 5.1.5.
-Vector3 ClosestOnTriangle(const Vector3& place, const Vector3 (&corners)[3]);
+Vector3 NearestOnTriangle(const Vector3& point, const Vector3 (&corners)[3]);
 
-/// The solid angle of a triangle seen from a place, over 4 pi; positive from behind.
+/// The solid angle of a triangle seen from a point, over 4 pi; positive from behind.
 /// Source: Van Oosterom and Strackee, "The solid angle of a plane triangle" (1983).
-double SolidAngle(const Vector3& place, const Vector3 (&corners)[3]);
+double SolidAngle(const Vector3& point, const Vector3 (&corners)[3]);
 }
 
 #endif
