@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSpherePackingPicturePass.h"
 
-#include "vtkSpherePackingPictureFS.h"
-
 #include "vtkCamera.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
@@ -19,6 +17,8 @@
 #include "vtkTextureObject.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtk_glad.h"
+
+#include "PictureFS.h"
 
 #include <algorithm>
 
@@ -109,7 +109,7 @@ void vtkSpherePackingPicturePass::Render(const vtkRenderState* s)
 
   if (!this->Quad)
   {
-    this->Quad.reset(new vtkOpenGLQuadHelper(window, nullptr, vtkSpherePackingPictureFS, nullptr));
+    this->Quad.reset(new vtkOpenGLQuadHelper(window, nullptr, PictureFS, nullptr));
   }
   else
   {
@@ -140,8 +140,8 @@ void vtkSpherePackingPicturePass::Render(const vtkRenderState* s)
     origin[i] = static_cast<float>((low - viewport[i]) / whole);
     extent[i] = static_cast<float>((std::min(viewport[i + 2], tile[i + 2]) - low) / whole);
   }
-  program->SetUniform2f("partOrigin", origin);
-  program->SetUniform2f("partExtent", extent);
+  program->SetUniform2f("tileOrigin", origin);
+  program->SetUniform2f("tileSize", extent);
   program->SetUniformi("colors", this->Colors->GetTextureUnit());
   program->SetUniformi("depths", this->Depths->GetTextureUnit());
   program->SetUniform2f("clippingRange", range);

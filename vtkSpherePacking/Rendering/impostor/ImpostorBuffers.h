@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ImpostorBuffers_h
+#define ImpostorBuffers_h
+
+#include "impostor/PointSprites.h"
+#include "impostor/ViewTransform.h"
+
+#include "vtkNew.h"
+#include "vtkOpenGLBufferObject.h"
+#include "vtkTimeStamp.h"
+
+namespace spherepacking
+{
+/// The vertex buffers of a packing's impostors.
+struct ImpostorBuffers
+{
+  PointSprites Sprites;
+  vtkIdType NumberOfSprites = 0;
+  vtkIdType NumberOfQuadVertices = 0;
+  bool HasIds = false;
+  vtkNew<vtkOpenGLBufferObject> SpriteBuffer; ///< of SpriteVertex
+  vtkNew<vtkOpenGLBufferObject> IdBuffer;     ///< four bytes per sprite, filled when one is picked
+  vtkNew<vtkOpenGLBufferObject> QuadBuffer;   ///< of QuadVertex
+  vtkTimeStamp BufferTime;                    ///< when the set of attributes last changed
+
+  /// `colors` may be null.
+  void UploadSprites(vtkPolyData* packing, vtkDataArray* radii, vtkUnsignedCharArray* colors);
+  void UploadQuads(vtkPolyData* packing, vtkDataArray* radii, vtkUnsignedCharArray* colors,
+    const ViewTransform& view, double maximumPointSize);
+
+  /// Makes the ids of the sprites, unless they are there.
+  void UploadIds();
+
+  void ReleaseGraphicsResources();
+};
+}
+
+#endif
