@@ -33,7 +33,15 @@
 #include <string>
 #include <vector>
 
-using namespace spherepacking;
+using spherepacking::AdaptLights;
+using spherepacking::GBuffer;
+using spherepacking::ImpostorBuffers;
+using spherepacking::ManySpheres;
+using spherepacking::PointSprites;
+using spherepacking::ProgramKind;
+using spherepacking::ReplacePicking;
+using spherepacking::ShaderVariant;
+using spherepacking::ViewTransform;
 
 vtkStandardNewMacro(vtkOpenGLSpherePackingMapper);
 
@@ -95,19 +103,6 @@ void RestoreViewport(vtkOpenGLState* state)
   state->ResetGLScissorState();
   state->vtkglViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
   state->vtkglScissor(scissor[0], scissor[1], scissor[2], scissor[3]);
-}
-
-std::vector<std::array<float, 4>> ClippingPlanesOf(vtkOpenGLSpherePackingMapper* mapper,
-  vtkActor* act, const ViewTransform& view, const std::array<double, 3>& origin)
-{
-  std::vector<std::array<float, 4>> planes(mapper->GetNumberOfClippingPlanes());
-  for (std::size_t i = 0; i < planes.size(); ++i)
-  {
-    double plane[4];
-    mapper->GetClippingPlaneInDataCoords(act->GetMatrix(), static_cast<int>(i), plane);
-    planes[i] = view.ToNearPlaneSpace(plane, origin);
-  }
-  return planes;
 }
 }
 
@@ -208,9 +203,17 @@ void vtkOpenGLSpherePackingMapper::RenderPiece(vtkRenderer* ren, vtkActor* act)
   this->InvokeEvent(vtkCommand::EndEvent, nullptr);
   if (this->PrepareInput() && (this->Drawn || ren->GetSelector()))
   {
-    this->RenderPieceStart(ren, act);
-    this->RenderPieceDraw(ren, act);
-    this->RenderPieceFinish(ren, act);
+    try
+    {
+      this->RenderPieceStart(ren, act);
+      this->RenderPieceDraw(ren, act);
+      this->RenderPieceFinish(ren, act);
+    }
+    catch (const std::bad_alloc&)
+    {
+      // VTK's Python wrappers translate no exception, so it would end the process.
+      this->Fail("the spheres do not fit in the memory that is free");
+    }
   }
 }
 
@@ -322,15 +325,12 @@ void vtkOpenGLSpherePackingMapper::DrawDeferred(vtkRenderer* ren, vtkActor* act)
   impl.Buffers.UploadQuads(this->CurrentInput, impl.Radii,
     impl.Variant.Colors ? this->Colors : nullptr, frame.View, impl.MaximumPointSize);
   frame.Variant = impl.Variant;
-  frame.ClippingPlanes = ClippingPlanesOf(this, act, impl.View, sprites.GetOrigin());
-  frame.Sprites = impl.Buffers.SpriteBuffer;
+  frame.ClippingPlanes = impl.View.ClippingPlanes(this, act, sprites.GetOrigin());
+  frame.Buffers = &impl.Buffers;
   frame.Batches = MakeDrawOrder(sprites, frame.View);
   frame.MaximumPointSize = impl.MaximumPointSize;
   frame.HiZTileSize =
     HiZTileSize(frame.View, this->Bounds, sprites.GetOrigin(), sprites.GetUpperQuartileRadius());
-  frame.Quads = impl.Buffers.QuadBuffer;
-  frame.NumberOfQuadVertices = static_cast<int>(impl.Buffers.NumberOfQuadVertices);
-  frame.BufferTime = impl.Buffers.BufferTime;
   impl.GeometryPass.Draw(window, frame);
 
   vtkOpenGLState::ScopedglEnableDisable cull(window->GetState(), GL_CULL_FACE);
@@ -444,21 +444,14 @@ void vtkOpenGLSpherePackingMapper::SetMapperShaderParameters(
     cellBO.ShaderSourceTime > cellBO.AttributeUpdateTime ||
     cellBO.VAO->GetMTime() > cellBO.AttributeUpdateTime.GetMTime())
   {
-    if (kind == ProgramKind::Quads)
-    {
-      AddQuadAttributes(cellBO.VAO, program, impl.Buffers.QuadBuffer);
-    }
-    else
-    {
-      AddSpriteAttributes(cellBO.VAO, program, impl.Buffers.SpriteBuffer, impl.Buffers.IdBuffer);
-    }
+    impl.Buffers.AddAttributes(cellBO, kind);
     cellBO.AttributeUpdateTime.Modified();
   }
   program->SetUniformi("hitMode", impl.HitMode);
   // VTK 9.7 tests picks of points against the depths of the last frame; a step nearer they pass.
   program->SetUniformf("depthBias", ren->GetSelector() ? 5e-7f : 0.0f);
   const std::vector<std::array<float, 4>> planes =
-    ClippingPlanesOf(this, act, impl.View, impl.Buffers.Sprites.GetOrigin());
+    impl.View.ClippingPlanes(this, act, impl.Buffers.Sprites.GetOrigin());
   if (!planes.empty())
   {
     program->SetUniform4fv(

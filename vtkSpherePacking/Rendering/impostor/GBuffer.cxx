@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "impostor/GBuffer.h"
 
-#include "vtkOpenGLBufferObject.h"
 #include "vtkOpenGLError.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -136,16 +135,9 @@ bool GBuffer::UseProgram(
     return false; // VTK has reported what does not compile
   }
   helper.VAO->Bind();
-  if (frame.BufferTime > helper.AttributeUpdateTime)
+  if (frame.Buffers->BufferTime > helper.AttributeUpdateTime)
   {
-    if (program.Kind == ProgramKind::Quads)
-    {
-      AddQuadAttributes(helper.VAO, helper.Program, frame.Quads);
-    }
-    else
-    {
-      AddSpriteAttributes(helper.VAO, helper.Program, frame.Sprites, nullptr);
-    }
+    frame.Buffers->AddAttributes(helper, program.Kind);
     helper.AttributeUpdateTime.Modified();
   }
   SetRayUniforms(helper.Program, frame.View);
@@ -161,9 +153,10 @@ bool GBuffer::UseProgram(
 //------------------------------------------------------------------------------
 void GBuffer::DrawQuads(vtkOpenGLRenderWindow* window, const FrameData& frame)
 {
-  if (frame.NumberOfQuadVertices > 0 && this->UseProgram(window, frame, this->Quads))
+  const auto count = static_cast<GLsizei>(frame.Buffers->NumberOfQuadVertices);
+  if (count > 0 && this->UseProgram(window, frame, this->Quads))
   {
-    glDrawArrays(GL_TRIANGLES, 0, frame.NumberOfQuadVertices);
+    glDrawArrays(GL_TRIANGLES, 0, count);
     this->Quads.Helper.VAO->Release();
   }
 }

@@ -11,16 +11,15 @@
 
 #include "impostor/DrawOrder.h"
 #include "impostor/HiZBuffer.h"
+#include "impostor/ImpostorBuffers.h"
 #include "impostor/ShaderPrograms.h"
 
 #include "vtkNew.h"
 #include "vtkOpenGLHelper.h"
-#include "vtkTimeStamp.h"
 
 #include <array>
 #include <vector>
 
-class vtkOpenGLBufferObject;
 class vtkOpenGLFramebufferObject;
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
@@ -38,13 +37,10 @@ public:
     ViewTransform View; ///< with the viewport's corner at 0, 0
     ShaderVariant Variant;
     std::vector<std::array<float, 4>> ClippingPlanes;
-    vtkOpenGLBufferObject* Sprites;
+    const ImpostorBuffers* Buffers;
     std::vector<DrawRanges> Batches; ///< of sprites, roughly front to back
     float MaximumPointSize;
     int HiZTileSize;
-    vtkOpenGLBufferObject* Quads;
-    int NumberOfQuadVertices;
-    vtkMTimeType BufferTime; ///< when the set of attributes last changed
   };
 
   GBuffer();

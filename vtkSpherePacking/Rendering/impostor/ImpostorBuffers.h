@@ -3,11 +3,14 @@
 #define ImpostorBuffers_h
 
 #include "impostor/PointSprites.h"
+#include "impostor/ShaderPrograms.h"
 #include "impostor/ViewTransform.h"
 
 #include "vtkNew.h"
 #include "vtkOpenGLBufferObject.h"
 #include "vtkTimeStamp.h"
+
+class vtkOpenGLHelper;
 
 namespace spherepacking
 {
@@ -30,6 +33,9 @@ struct ImpostorBuffers
 
   /// Makes the ids of the sprites, unless they are there.
   void UploadIds();
+
+  /// Adds the vertex attributes of a program for sprites or quads to its vertex array.
+  void AddAttributes(vtkOpenGLHelper& helper, ProgramKind kind) const;
 
   void ReleaseGraphicsResources();
 };

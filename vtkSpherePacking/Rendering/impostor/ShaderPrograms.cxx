@@ -2,11 +2,8 @@
 #include "impostor/ShaderPrograms.h"
 
 #include "impostor/ImpostorQuads.h"
-#include "impostor/PointSprites.h"
 #include "impostor/SplitDouble.h"
 
-#include "vtkOpenGLBufferObject.h"
-#include "vtkOpenGLVertexArrayObject.h"
 #include "vtkShaderProgram.h"
 
 #include "FullScreenTriangleVS.h"
@@ -14,40 +11,10 @@
 #include "PointSpriteVS.h"
 #include "RaySphereFS.h"
 
-#include <cstddef>
-
 namespace spherepacking
 {
 namespace
 {
-// Adds the attributes of one interleaved buffer that the program uses.
-struct AttributeAdder
-{
-  vtkOpenGLVertexArrayObject* Vao;
-  vtkShaderProgram* Program;
-  vtkOpenGLBufferObject* Buffer;
-  std::size_t Stride;
-
-  void Floats(const char* name, std::size_t offset, int components) const
-  {
-    this->Add(name, offset, VTK_FLOAT, components, false);
-  }
-  void Bytes(const char* name, std::size_t offset, bool normalize) const
-  {
-    this->Add(name, offset, VTK_UNSIGNED_CHAR, 4, normalize);
-  }
-
-private:
-  void Add(const char* name, std::size_t offset, int type, int components, bool normalize) const
-  {
-    if (this->Program->IsAttributeUsed(name))
-    {
-      this->Vao->AddAttributeArray(this->Program, this->Buffer, name, static_cast<int>(offset),
-        this->Stride, type, components, normalize);
-    }
-  }
-};
-
 // Extensions have to be named before anything else. GL_ARB_gpu_shader_fp64 is core from OpenGL 4.0
 // on, the others from 4.2 and 3.3 on, but VTK's shaders say #version 150.
 const char* const RealTypes =
@@ -98,9 +65,9 @@ void AddColors(std::string& vertexShader, bool packed)
 //------------------------------------------------------------------------------
 std::string RaySphereDeclarations(const ShaderVariant& variant, ProgramKind kind)
 {
-  // The vertex shaders place points and quads at the depth of the sphere's front, so no fragment is
-  // nearer than the rasterized depth. Where a driver can be told, it tests depths before the
-  // fragment shader although that writes depths.
+  // Points and quads have the depth of the sphere's front, so no fragment is nearer than the
+  // rasterized depth. With that known, a driver may reject fragments before they are shaded,
+  // although the shader writes depths of its own.
   std::string text = "#ifdef GL_ARB_conservative_depth\n"
                      "layout(depth_greater) out float gl_FragDepth;\n"
                      "#endif\n";
@@ -171,36 +138,5 @@ void SetRayUniforms(vtkShaderProgram* program, const ViewTransform& view)
   const float depthRange[3] = { static_cast<float>(view.Near), static_cast<float>(length),
     static_cast<float>(view.Near / length) };
   program->SetUniform3f("depthRange", depthRange);
-}
-
-//------------------------------------------------------------------------------
-void AddSpriteAttributes(vtkOpenGLVertexArrayObject* vao, vtkShaderProgram* program,
-  vtkOpenGLBufferObject* sprites, vtkOpenGLBufferObject* ids)
-{
-  using V = SpriteVertex;
-  vao->Bind();
-  const AttributeAdder add{ vao, program, sprites, sizeof(V) };
-  add.Floats("centerHigh", offsetof(V, CenterHigh), 3);
-  add.Floats("centerLow", offsetof(V, CenterLow), 3);
-  add.Floats("radius", offsetof(V, Radius), 1);
-  add.Bytes("sphereColor", offsetof(V, Color), true);
-  AttributeAdder{ vao, program, ids, 4 }.Bytes("sphereId", 0, false);
-}
-
-//------------------------------------------------------------------------------
-void AddQuadAttributes(
-  vtkOpenGLVertexArrayObject* vao, vtkShaderProgram* program, vtkOpenGLBufferObject* quads)
-{
-  using V = QuadVertex;
-  vao->Bind();
-  const AttributeAdder add{ vao, program, quads, sizeof(V) };
-  add.Floats("corner", offsetof(V, Corner), 3);
-  add.Floats("sphereReference", offsetof(V, Reference), 4);
-  add.Floats("sphereReferenceLow", offsetof(V, ReferenceLow), 2);
-  add.Floats("sphereShape", offsetof(V, Shape), 4);
-  add.Floats("sphereShapeLow", offsetof(V, ShapeLow), 4);
-  add.Floats("eyePower", offsetof(V, EyePower), 2);
-  add.Bytes("sphereColor", offsetof(V, Color), true);
-  add.Bytes("sphereId", offsetof(V, Id), false);
 }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// The shader programs of impostors: their sources, uniforms and vertex attributes.
+/// The shader programs of impostors: their sources and uniforms.
 #ifndef ShaderPrograms_h
 #define ShaderPrograms_h
 
@@ -7,8 +7,6 @@
 
 #include <string>
 
-class vtkOpenGLBufferObject;
-class vtkOpenGLVertexArrayObject;
 class vtkShaderProgram;
 
 namespace spherepacking
@@ -57,15 +55,6 @@ void SetSpriteUniforms(
 
 /// Sets the uniforms that all fragment shaders share.
 void SetRayUniforms(vtkShaderProgram* program, const ViewTransform& view);
-
-/// Adds attributes from a buffer of SpriteVertex and, if the program uses them, from one of ids of
-/// four bytes per vertex.
-void AddSpriteAttributes(vtkOpenGLVertexArrayObject* vao, vtkShaderProgram* program,
-  vtkOpenGLBufferObject* sprites, vtkOpenGLBufferObject* ids);
-
-/// Adds attributes from a buffer of QuadVertex.
-void AddQuadAttributes(
-  vtkOpenGLVertexArrayObject* vao, vtkShaderProgram* program, vtkOpenGLBufferObject* quads);
 }
 
 #endif

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "impostor/ViewTransform.h"
 
+#include "vtkAbstractMapper3D.h"
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkMath.h"
@@ -173,6 +174,20 @@ bool ViewTransform::DepthRangeContains(
     }
   }
   return true;
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::array<float, 4>> ViewTransform::ClippingPlanes(
+  vtkAbstractMapper3D* mapper, vtkActor* actor, const std::array<double, 3>& origin) const
+{
+  std::vector<std::array<float, 4>> planes(mapper->GetNumberOfClippingPlanes());
+  for (std::size_t i = 0; i < planes.size(); ++i)
+  {
+    double plane[4]; // a x + b y + c z + d in data coordinates
+    mapper->GetClippingPlaneInDataCoords(actor->GetMatrix(), static_cast<int>(i), plane);
+    planes[i] = this->ToNearPlaneSpace(plane, origin);
+  }
+  return planes;
 }
 
 //------------------------------------------------------------------------------

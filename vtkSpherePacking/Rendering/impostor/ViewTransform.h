@@ -4,7 +4,9 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
+class vtkAbstractMapper3D;
 class vtkActor;
 class vtkCamera;
 class vtkMatrix4x4;
@@ -39,10 +41,10 @@ struct ViewTransform
   /// Whether a box in data coordinates lies wholly between the near and the far plane.
   bool DepthRangeContains(const double bounds[6], const std::array<double, 3>& origin) const;
 
-  /// The plane a x + b y + c z + d in data coordinates as coefficients for view positions whose z
-  /// is relative to the near plane, hitPosition() in RaySphereFS.glsl.
-  std::array<float, 4> ToNearPlaneSpace(
-    const double plane[4], const std::array<double, 3>& origin) const;
+  /// The clipping planes of a mapper as coefficients for view positions whose z is relative to the
+  /// near plane: hitPosition() in RaySphereFS.glsl.
+  std::vector<std::array<float, 4>> ClippingPlanes(
+    vtkAbstractMapper3D* mapper, vtkActor* actor, const std::array<double, 3>& origin) const;
 
 private:
   /// ModelToView, RadiusScale and Eye, or what prevents them. The matrices are transposed, all but
@@ -51,6 +53,8 @@ private:
     vtkMatrix4x4* projection, const std::array<double, 3>& origin);
   void ComputeClippingRange(vtkCamera* camera, vtkMatrix4x4* projection);
   void ComputeViewport(vtkRenderer* renderer, vtkMatrix4x4* projection);
+  std::array<float, 4> ToNearPlaneSpace(
+    const double plane[4], const std::array<double, 3>& origin) const;
 };
 }
 
