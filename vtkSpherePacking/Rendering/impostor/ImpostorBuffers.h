@@ -22,16 +22,16 @@ struct ImpostorBuffers
   vtkIdType NumberOfQuadVertices = 0;
   bool HasIds = false;
   vtkNew<vtkOpenGLBufferObject> SpriteBuffer; ///< of SpriteVertex
-  vtkNew<vtkOpenGLBufferObject> IdBuffer;     ///< four bytes per sprite, filled when one is picked
-  vtkNew<vtkOpenGLBufferObject> QuadBuffer;   ///< of QuadVertex
-  vtkTimeStamp BufferTime;                    ///< when the set of attributes last changed
+  vtkNew<vtkOpenGLBufferObject> IdBuffer;   ///< four bytes per sprite, filled before one is picked
+  vtkNew<vtkOpenGLBufferObject> QuadBuffer; ///< of QuadVertex
+  vtkTimeStamp BufferTime;                  ///< when the set of attributes last changed
 
   /// `colors` may be null.
   void UploadSprites(vtkPolyData* packing, vtkDataArray* radii, vtkUnsignedCharArray* colors);
   void UploadQuads(vtkPolyData* packing, vtkDataArray* radii, vtkUnsignedCharArray* colors,
     const ViewTransform& view, double maximumPointSize);
 
-  /// Makes the ids of the sprites, unless they are there.
+  /// Fills the buffer of ids, unless that has been done since UploadSprites().
   void UploadIds();
 
   /// Adds the vertex attributes of a program for sprites or quads to its vertex array.

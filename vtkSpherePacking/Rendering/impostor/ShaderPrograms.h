@@ -32,7 +32,7 @@ struct ShaderVariant
   bool operator!=(const ShaderVariant& other) const { return !(*this == other); }
 };
 
-/// The template of a vertex shader; with `colors` it still needs AddColors().
+/// The source of a vertex shader. AddColors() has to follow if spheres have colours.
 const char* VertexShader(ProgramKind kind);
 
 /// Defines REAL and its vectors in place of //VTK::System::Dec, which stays for VTK to replace:

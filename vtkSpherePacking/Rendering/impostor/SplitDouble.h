@@ -10,8 +10,9 @@ namespace spherepacking
 {
 /// Splits `value` into high + low, which is precise to 47 bits within the range of normal floats.
 ///
-/// The high part is truncated rather than rounded. Upstream: GCC 12 at -O3 drops the conversion
-/// from double to float and back, which rounding needs, where it vectorizes, and low would be 0.
+/// The high part is truncated rather than rounded. Upstream: GCC 12.2: the SLP vectorizer of -O3
+/// takes a conversion from double to float and back, which rounding needs, for no change at all, so
+/// that low would be 0 (seen with the nine elements of a matrix, as in SetSpriteUniforms()).
 inline void SplitDouble(double value, float& high, float& low)
 {
   std::uint64_t bits;
