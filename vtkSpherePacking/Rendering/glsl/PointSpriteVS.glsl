@@ -70,6 +70,17 @@ bool projectBounds(REAL3 c, REAL r, REAL2 range, out REAL2 low, out REAL2 high, 
   return true;
 }
 
+// The depth buffer value of the sphere's front, a step nearer than any fragment, whatever the
+// rounding: the fragment shaders promise depth_greater.
+float frontDepth(REAL distance, REAL r, REAL2 range)
+{
+  float front = max(float(distance - r - range.x), 0.0);
+  float depth = cameraParallel != 0 ? front / float(range.y - range.x)
+                                    : front * float(range.y / (range.y - range.x)) /
+      (front + float(range.x));
+  return depth * (1.0 - 1.0e-6);
+}
+
 #ifdef HI_Z_CULLING
 // Whether the pixels from first to last all show something in front of `depth`.
 bool isOccluded(ivec2 first, ivec2 last, float depth)
@@ -130,11 +141,7 @@ void main()
     return;
   }
 
-  float front = max(float(distance - r - range.x), 0.0);
-  float depth = cameraParallel != 0 ? front / float(range.y - range.x)
-                                    : front * float(range.y / (range.y - range.x)) /
-      (front + float(range.x));
-  depth *= 1.0 - 1.0e-6; // in front of every fragment, whatever the rounding
+  float depth = frontDepth(distance, r, range);
 #ifdef HI_Z_CULLING
   if (isOccluded(ivec2(first), ivec2(last), depth))
   {

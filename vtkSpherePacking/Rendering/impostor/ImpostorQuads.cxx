@@ -153,15 +153,20 @@ void SetReference(QuadVertex& vertex, const ProjectedSphere& sphere, const ViewT
   }
 }
 
-QuadVertex MakeVertex(const ProjectedSphere& sphere, const ViewTransform& view)
+// frontDepth() of PointSpriteVS.glsl.
+double FrontDepth(const ProjectedSphere& sphere, const ViewTransform& view)
 {
-  QuadVertex vertex = {};
   const double front = std::max(sphere.Distance - sphere.Radius - view.Near, 0.0);
   const double depth = view.Parallel
     ? front / (view.Far - view.Near)
     : front / (front + view.Near) * view.Far / (view.Far - view.Near);
-  // In front of every fragment, whatever the rounding.
-  vertex.Corner[2] = static_cast<float>(2.0 * depth * (1.0 - 1e-6) - 1.0);
+  return depth * (1.0 - 1e-6);
+}
+
+QuadVertex MakeVertex(const ProjectedSphere& sphere, const ViewTransform& view)
+{
+  QuadVertex vertex = {};
+  vertex.Corner[2] = static_cast<float>(2.0 * FrontDepth(sphere, view) - 1.0);
   SetReference(vertex, sphere, view);
   const double shape[4] = { view.Parallel ? 1.0 : sphere.Distance, sphere.Radius,
     sphere.Distance - view.Near, view.Far - sphere.Distance };
