@@ -50,8 +50,8 @@ flat in vec2 eyePowerVSOutput;
 #define REAL4 vec4
 #endif
 
-// Results of intersectSphere(). Initialized since GLSL compilers (Mesa's, NVIDIA's) warn of globals
-// that functions read and only others write.
+// Results of intersectSphere(). Upstream: Mesa: its GLSL compiler warns of globals without a first
+// value ("used uninitialized") where one function reads them and a later one writes them.
 REAL4 sphereShape = REAL4(0.0); // both parts of the input
 REAL2 raySlope = REAL2(0.0);
 REAL2 rayOffset = REAL2(0.0);
@@ -76,7 +76,8 @@ vec3 hitNormal()
     (vec3(vec2(rayOffset), 0.0) + float(hitAlong) * vec3(vec2(raySlope), -1.0));
 }
 
-// The value for the depth buffer, computed from the nearer one of its ends.
+// The value for the depth buffer, computed from the nearer one of its ends: at the depth z in front
+// of the eye, (z - n) / z f / (f - n) or 1 - (f - z) / z n / (f - n).
 float hitDepth()
 {
   REAL scale = REAL(1.0) /
