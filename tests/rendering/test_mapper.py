@@ -1,6 +1,8 @@
 """What a VTK user expects of a mapper: colours, lights, opacity, picking, bounds, transforms."""
 
 import importlib
+import subprocess
+import sys
 
 import numpy as np
 import pytest
@@ -136,6 +138,35 @@ def test_bad_input_is_one_error_and_draws_nothing(packing, words):
     assert len(errors) == 1
     for word in words:
         assert word in errors[0]
+
+
+TOO_LITTLE_MEMORY = """
+import resource
+import numpy as np, pyvista as pv, spherepacking
+packing = pv.PolyData(np.random.default_rng(0).random((1_000_000, 3), np.float32))
+packing["radius"] = np.full(packing.n_points, 0.01, np.float32)
+plotter = pv.Plotter(off_screen=True, window_size=(50, 50))
+plotter.set_background("black")
+plotter.show(auto_close=False, interactive=False)
+mapper = plotter.packing.add(packing, color="white", lighting=False, render=False).mapper
+mapper.AddObserver("ErrorEvent", lambda *_: print(mapper.GetErrorMessage()))
+used = int(open("/proc/self/statm").read().split()[0]) * resource.getpagesize()
+resource.setrlimit(resource.RLIMIT_AS, (used + 2**23, -1))
+plotter.render()
+plotter.render()
+resource.setrlimit(resource.RLIMIT_AS, (-1, -1))
+plotter.render()
+print(plotter.screenshot(return_img=True).max(), repr(mapper.GetErrorMessage()))
+mapper.RemoveAllObservers()
+"""
+
+
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="limits memory as Linux does")
+def test_too_little_memory_is_one_error():
+    done = subprocess.run(
+        [sys.executable, "-c", TOO_LITTLE_MEMORY], capture_output=True, text=True, check=True
+    )
+    assert done.stdout == "the spheres do not fit in the memory that is free\n255 ''\n"
 
 
 def test_stretching_matrix_is_an_error():
@@ -297,7 +328,8 @@ def blended(opacity, **words):
         plotter,
         actor,
     ):
-        # VTK peels nothing from a window with several samples a pixel, meshes included.
+        # VTK peels nothing from a window with several samples per pixel, meshes included:
+        # https://github.com/pyvista/pyvista/issues/8273
         plotter.render_window.SetMultiSamples(0)
         plotter.enable_depth_peeling(8)
         plotter.render()
@@ -333,7 +365,10 @@ def selected_ids(selector, x, y):
     """Return the ids that a selector captured at a pixel."""
     selection = selector.GenerateSelection(x, y, x, y)
     if selection.GetReferenceCount() > 1:
-        selection.UnRegister(None)  # VTK hands a reference over that Python does not know of
+        # Upstream: VTK 9.7: GenerateSelection() returns a reference that its caller owns, but has
+        # no VTK_NEWINSTANCE by which Python would know. See also
+        # https://github.com/pyvista/pyvista/pull/1394
+        selection.UnRegister(None)
     if not selection.GetNumberOfNodes():
         return []
     return list(pv.convert_array(selection.GetNode(0).GetSelectionList()))

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkOpenGLSpherePackingMapper.h"
 
-#include "vtkOpenGLSpherePackingMapperInternals.h"
+#include "impostor/GBuffer.h"
+#include "impostor/ImpostorBuffers.h"
+#include "impostor/ShaderReplacements.h"
 
 #include "vtkActor.h"
 #include "vtkAlgorithm.h"
@@ -9,32 +11,88 @@
 #include "vtkHardwareSelector.h"
 #include "vtkInformation.h"
 #include "vtkMath.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLError.h"
-#include "vtkOpenGLIndexBufferObject.h"
-#include "vtkOpenGLResourceFreeCallback.h"
 #include "vtkOpenGLRenderPass.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
+#include "vtkOpenGLResourceFreeCallback.h"
 #include "vtkOpenGLState.h"
 #include "vtkOpenGLVertexArrayObject.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+#include "vtkSpherePackingInput.h"
 #include "vtk_glad.h"
 
 #include <algorithm>
+#include <array>
+#include <new>
+#include <string>
+#include <vector>
+
+using spherepacking::AdaptLights;
+using spherepacking::GBuffer;
+using spherepacking::ImpostorBuffers;
+using spherepacking::ManySpheres;
+using spherepacking::PointSprites;
+using spherepacking::ProgramKind;
+using spherepacking::ReplacePicking;
+using spherepacking::ShaderVariant;
+using spherepacking::ViewTransform;
 
 vtkStandardNewMacro(vtkOpenGLSpherePackingMapper);
 
+struct vtkOpenGLSpherePackingMapper::Internals
+{
+  // As `hitMode` in RaySphereFS.glsl.
+  enum HitModes
+  {
+    FirstHit = 0,
+    NearHit = 1,
+    FarHit = 2
+  };
+
+  vtkNew<vtkSpherePackingInput> Input;
+  vtkPolyData* CheckedInput = nullptr; // only compared, never dereferenced
+  vtkTimeStamp CheckTime;
+  vtkDataArray* Radii = nullptr; // of the input that was checked
+  std::string ErrorMessage;
+
+  ViewTransform View;
+  ImpostorBuffers Buffers;
+  ShaderVariant Variant;      // that this frame needs
+  ShaderVariant BuiltVariant; // that VTK's programs were built for
+  float MaximumPointSize = 1.0f;
+  HitModes HitMode = FirstHit;
+
+  GBuffer GeometryPass;
+  vtkOpenGLHelper LightingPass;
+
+  // The superclass's programs for PrimitiveTris draw the point sprites and those for
+  // PrimitiveTriStrips the quads: without normals, VTK lights no other primitives.
+  ProgramKind KindOf(const vtkOpenGLHelper& program) const
+  {
+    return &program == &this->LightingPass          ? ProgramKind::Lighting
+      : program.PrimitiveType == PrimitiveTriStrips ? ProgramKind::Quads
+                                                    : ProgramKind::PointSprites;
+  }
+};
+
 namespace
 {
-// Beyond this a point's square wastes more fragments than the quad's set-up costs.
+// In pixels. The square of a larger point wastes more fragments than setting up a quad costs.
 constexpr float LargestUsefulPoint = 255.0f;
 
-// A window that cannot go back to the context before, as OSMesa's, leaves another one current when
-// it releases what it held, and what VTK then sets arrives there. So what the state believes of
-// the viewport may not hold any more. (VTK's own mappers draw with what is there.)
+// Sets the viewport and the scissor box to what VTK believes that they are.
+//
+// Upstream: VTK 9.7: vtkOSOpenGLRenderWindow and vtkEGLRenderWindow inherit a PopContext() that
+// does nothing. So when one window releases what it holds in the middle of another one's rendering,
+// as vtkOpenGLResourceFreeCallback does when an actor moves to another window, its context remains
+// current, and the viewport that VTK sets next goes there, whatever the vtkOpenGLState of the other
+// window believes.
 void RestoreViewport(vtkOpenGLState* state)
 {
   int viewport[4];
@@ -54,7 +112,7 @@ vtkOpenGLSpherePackingMapper::vtkOpenGLSpherePackingMapper()
 {
   this->SetRadiusArrayName("radius");
   this->InterpolateScalarsBeforeMapping = 0;
-  this->Impl->Screen.PrimitiveType = PrimitiveTris;
+  this->Impl->LightingPass.PrimitiveType = PrimitiveTris;
 }
 
 //------------------------------------------------------------------------------
@@ -72,7 +130,7 @@ const char* vtkOpenGLSpherePackingMapper::GetErrorMessage() const
 //------------------------------------------------------------------------------
 void vtkOpenGLSpherePackingMapper::Fail(const std::string& message)
 {
-  // Once a cause, not once a frame.
+  // Reported once, not in every frame.
   if (message != this->Impl->ErrorMessage)
   {
     this->Impl->ErrorMessage = message;
@@ -126,8 +184,8 @@ void vtkOpenGLSpherePackingMapper::RenderPiece(vtkRenderer* ren, vtkActor* act)
   if (!this->ResourceCallback->IsWindowRegistered(window))
   {
     this->ResourceCallback->RegisterGraphicsResources(window);
-    // The one whose resources have been released may be current. It cannot be asked, since an EGL
-    // window always says that it is.
+    // The window that had to release its resources for that may be current: see RestoreViewport().
+    // Upstream: VTK 9.7: vtkEGLRenderWindow::IsCurrent() is always true, so it cannot be asked.
     window->MakeCurrent();
   }
   RestoreViewport(window->GetState());
@@ -145,9 +203,17 @@ void vtkOpenGLSpherePackingMapper::RenderPiece(vtkRenderer* ren, vtkActor* act)
   this->InvokeEvent(vtkCommand::EndEvent, nullptr);
   if (this->PrepareInput() && (this->Drawn || ren->GetSelector()))
   {
-    this->RenderPieceStart(ren, act);
-    this->RenderPieceDraw(ren, act);
-    this->RenderPieceFinish(ren, act);
+    try
+    {
+      this->RenderPieceStart(ren, act);
+      this->RenderPieceDraw(ren, act);
+      this->RenderPieceFinish(ren, act);
+    }
+    catch (const std::bad_alloc&)
+    {
+      // VTK's Python wrappers translate no exception, so it would end the process.
+      this->Fail("the spheres do not fit in the memory that is free");
+    }
   }
 }
 
@@ -158,8 +224,8 @@ void vtkOpenGLSpherePackingMapper::RenderPieceStart(vtkRenderer* ren, vtkActor* 
   vtkHardwareSelector* selector = ren->GetSelector();
   if (selector && selector->GetFieldAssociation() == vtkDataObject::FIELD_ASSOCIATION_POINTS)
   {
-    // VTK picks points against the depth of the last picture. Spheres hide each other, so these
-    // write depth as always.
+    // VTK 9.7 picks points, which do not hide each other, against the depths of the last frame and
+    // turns writing depths off. Spheres hide each other.
     static_cast<vtkOpenGLRenderWindow*>(ren->GetRenderWindow())
       ->GetState()
       ->vtkglDepthMask(GL_TRUE);
@@ -171,14 +237,10 @@ void vtkOpenGLSpherePackingMapper::BuildBufferObjects(vtkRenderer*, vtkActor*)
 {
   this->MapScalars(1.0);
   Internals& impl = *this->Impl;
-  impl.HasColors =
+  impl.Variant.Colors =
     this->Colors && this->Colors->GetNumberOfTuples() == this->CurrentInput->GetNumberOfPoints();
-  const std::vector<vtkSpherePackingVertex> vertices =
-    impl.Vertices.Build(this->CurrentInput, impl.Radii, impl.HasColors ? this->Colors : nullptr);
-  impl.NumberOfVertices = static_cast<vtkIdType>(vertices.size());
-  impl.VertexBuffer->Upload(vertices, vtkOpenGLBufferObject::ArrayBuffer);
-  impl.IdsUploaded = false;
-  impl.BufferTime.Modified();
+  impl.Buffers.UploadSprites(
+    this->CurrentInput, impl.Radii, impl.Variant.Colors ? this->Colors : nullptr);
   this->VBOBuildTime.Modified();
 }
 
@@ -186,7 +248,8 @@ void vtkOpenGLSpherePackingMapper::BuildBufferObjects(vtkRenderer*, vtkActor*)
 void vtkOpenGLSpherePackingMapper::RenderPieceDraw(vtkRenderer* ren, vtkActor* act)
 {
   Internals& impl = *this->Impl;
-  const std::string problem = impl.View.Compute(ren, act, impl.Vertices.GetOrigin());
+  const std::array<double, 3>& origin = impl.Buffers.Sprites.GetOrigin();
+  const std::string problem = impl.View.Compute(ren, act, origin);
   if (!problem.empty())
   {
     this->Fail(problem);
@@ -198,121 +261,219 @@ void vtkOpenGLSpherePackingMapper::RenderPieceDraw(vtkRenderer* ren, vtkActor* a
   impl.MaximumPointSize = std::min(range[1], LargestUsefulPoint);
   const bool translucent = act->IsRenderingTranslucentPolygonalGeometry() != 0;
   const bool selecting = ren->GetSelector() != nullptr;
-  const bool bothSides = translucent && !selecting && !act->GetProperty()->GetBackfaceCulling();
-  impl.MayBeCut = bothSides || this->GetNumberOfClippingPlanes() > 0 ||
-    !impl.View.HoldsDepthsOf(this->Bounds, impl.Vertices.GetOrigin());
+  const bool bothHits = translucent && !selecting && !act->GetProperty()->GetBackfaceCulling();
+  impl.Variant.Parallel = impl.View.Parallel;
+  impl.Variant.ClippingPlanes = this->GetNumberOfClippingPlanes();
+  impl.Variant.MayBeCut = bothHits || impl.Variant.ClippingPlanes > 0 ||
+    !impl.View.DepthRangeContains(this->Bounds, origin);
   vtkInformation* keys = act->GetPropertyKeys();
   const bool renderPasses = keys && keys->Has(vtkOpenGLRenderPass::RenderPasses());
-  // Surfaces first pay off against an extra pass when there are many spheres, several lights, or
-  // several samples a pixel, none of which a sphere's silhouette uses.
-  const bool costly = impl.NumberOfVertices > 20000 ||
+  // Deferred shading costs a pass over the window. It pays with many spheres, several lights, or
+  // several samples per pixel, none of which a sphere's silhouette uses.
+  const bool costly = impl.Buffers.NumberOfSprites > ManySpheres ||
     ren->GetRenderWindow()->GetMultiSamples() > 1 ||
     static_cast<vtkOpenGLRenderer*>(ren)->GetLightingComplexity() > 1;
   if (costly && !translucent && !selecting && !renderPasses)
   {
-    this->DrawSurfacesThenLights(ren, act);
+    this->DrawDeferred(ren, act);
     return;
   }
-  if (selecting && !impl.IdsUploaded)
+  if (selecting)
   {
-    impl.UploadIds();
+    impl.Buffers.UploadIds();
   }
-  this->UploadQuads(impl.View);
-  impl.HitMode = bothSides ? Internals::FarHit : Internals::FirstHit;
-  this->DrawSpheres(ren, act);
-  if (bothSides)
+  impl.Buffers.UploadQuads(this->CurrentInput, impl.Radii,
+    impl.Variant.Colors ? this->Colors : nullptr, impl.View, impl.MaximumPointSize);
+  impl.HitMode = bothHits ? Internals::FarHit : Internals::FirstHit;
+  this->DrawForward(ren, act);
+  if (bothHits)
   {
     impl.HitMode = Internals::NearHit;
-    this->DrawSpheres(ren, act);
+    this->DrawForward(ren, act);
   }
 }
 
 //------------------------------------------------------------------------------
-void vtkOpenGLSpherePackingMapper::UploadQuads(const vtkSpherePackingView& view)
+void vtkOpenGLSpherePackingMapper::DrawForward(vtkRenderer* ren, vtkActor* act)
 {
-  Internals& impl = *this->Impl;
-  const std::vector<vtkSpherePackingQuadVertex> quads =
-    vtkSpherePackingMakeQuads(this->CurrentInput, impl.Radii,
-      impl.HasColors ? this->Colors : nullptr, impl.Vertices, view, impl.MaximumPointSize);
-  impl.NumberOfQuadVertices = static_cast<vtkIdType>(quads.size());
-  if (!quads.empty())
-  {
-    impl.QuadBuffer->Upload(quads, vtkOpenGLBufferObject::ArrayBuffer);
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkOpenGLSpherePackingMapper::DrawSpheres(vtkRenderer* ren, vtkActor* act)
-{
-  Internals& impl = *this->Impl;
+  const ImpostorBuffers& buffers = this->Impl->Buffers;
   vtkOpenGLState* state = static_cast<vtkOpenGLRenderWindow*>(ren->GetRenderWindow())->GetState();
   vtkOpenGLState::ScopedglEnableDisable pointSize(state, GL_PROGRAM_POINT_SIZE);
   vtkOpenGLState::ScopedglEnableDisable cull(state, GL_CULL_FACE);
   state->vtkglEnable(GL_PROGRAM_POINT_SIZE);
   state->vtkglDisable(GL_CULL_FACE);
   this->UpdateShaders(this->Primitives[PrimitiveTris], ren, act);
-  glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(impl.NumberOfVertices));
-  if (impl.NumberOfQuadVertices > 0)
+  glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(buffers.NumberOfSprites));
+  if (buffers.NumberOfQuadVertices > 0)
   {
     this->UpdateShaders(this->Primitives[PrimitiveTriStrips], ren, act);
-    glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(impl.NumberOfQuadVertices));
+    glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(buffers.NumberOfQuadVertices));
   }
   vtkOpenGLCheckErrorMacro("failed after drawing spheres");
 }
 
 //------------------------------------------------------------------------------
-void vtkOpenGLSpherePackingMapper::DrawSurfacesThenLights(vtkRenderer* ren, vtkActor* act)
+void vtkOpenGLSpherePackingMapper::DrawDeferred(vtkRenderer* ren, vtkActor* act)
 {
   Internals& impl = *this->Impl;
+  const PointSprites& sprites = impl.Buffers.Sprites;
   auto* window = static_cast<vtkOpenGLRenderWindow*>(ren->GetRenderWindow());
-  vtkSpherePackingSurfaces::Scene scene;
-  scene.View = impl.View;
-  scene.View.Viewport[0] = 0.0; // the textures are as large as the viewport
-  scene.View.Viewport[1] = 0.0;
-  this->UploadQuads(scene.View);
-  scene.Features = impl.GetFeatures(this->GetNumberOfClippingPlanes());
-  scene.ClippingPlanes = this->ComputeClippingPlanes(act);
-  scene.MaximumPointSize = impl.MaximumPointSize;
-  scene.Vertices = impl.VertexBuffer;
-  scene.Phases = vtkSpherePackingMakePhases(impl.Vertices, scene.View);
-  scene.OccluderTile =
-    scene.View.ChooseTile(this->Bounds, impl.Vertices.GetOrigin(), impl.Vertices.GetUsualRadius());
-  scene.Quads = impl.QuadBuffer;
-  scene.NumberOfQuadVertices = static_cast<int>(impl.NumberOfQuadVertices);
-  scene.BufferTime = impl.BufferTime;
-  impl.Surfaces->Draw(window, scene);
+  GBuffer::FrameData frame;
+  frame.View = impl.View;
+  frame.View.Viewport[0] = 0.0; // the G-buffer is as large as the viewport
+  frame.View.Viewport[1] = 0.0;
+  impl.Buffers.UploadQuads(this->CurrentInput, impl.Radii,
+    impl.Variant.Colors ? this->Colors : nullptr, frame.View, impl.MaximumPointSize);
+  frame.Variant = impl.Variant;
+  frame.ClippingPlanes = impl.View.ClippingPlanes(this, act, sprites.GetOrigin());
+  frame.Buffers = &impl.Buffers;
+  frame.Batches = MakeDrawOrder(sprites, frame.View);
+  frame.MaximumPointSize = impl.MaximumPointSize;
+  frame.HiZTileSize =
+    HiZTileSize(frame.View, this->Bounds, sprites.GetOrigin(), sprites.GetUpperQuartileRadius());
+  impl.GeometryPass.Draw(window, frame);
 
   vtkOpenGLState::ScopedglEnableDisable cull(window->GetState(), GL_CULL_FACE);
   window->GetState()->vtkglDisable(GL_CULL_FACE);
-  this->UpdateShaders(impl.Screen, ren, act);
+  this->UpdateShaders(impl.LightingPass, ren, act);
   glDrawArrays(GL_TRIANGLES, 0, 3);
-  impl.Surfaces->Deactivate();
+  impl.GeometryPass.Deactivate();
   vtkOpenGLCheckErrorMacro("failed after lighting spheres");
 }
 
 //------------------------------------------------------------------------------
-std::vector<std::array<float, 4>> vtkOpenGLSpherePackingMapper::ComputeClippingPlanes(vtkActor* act)
+bool vtkOpenGLSpherePackingMapper::GetNeedToRebuildShaders(
+  vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act)
 {
-  std::vector<std::array<float, 4>> planes(this->GetNumberOfClippingPlanes());
-  for (std::size_t i = 0; i < planes.size(); ++i)
+  Internals& impl = *this->Impl;
+  if (impl.Variant != impl.BuiltVariant)
   {
-    double plane[4];
-    this->GetClippingPlaneInDataCoords(act->GetMatrix(), static_cast<int>(i), plane);
-    planes[i] = this->Impl->View.ToNearPlaneSpace(plane, this->Impl->Vertices.GetOrigin());
+    impl.BuiltVariant = impl.Variant;
+    // The superclass rebuilds every program that is older than this, not only the one asked for.
+    this->SelectionStateChanged.Modified();
   }
-  return planes;
+  return this->Superclass::GetNeedToRebuildShaders(cellBO, ren, act);
 }
 
 //------------------------------------------------------------------------------
-bool vtkOpenGLSpherePackingMapper::DrawingQuads() const
+void vtkOpenGLSpherePackingMapper::GetShaderTemplate(
+  std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* ren, vtkActor* act)
 {
-  return this->LastBoundBO == &this->Primitives[PrimitiveTriStrips];
+  this->Superclass::GetShaderTemplate(shaders, ren, act);
+  const Internals& impl = *this->Impl;
+  ReplaceVertexShader(shaders, impl.KindOf(*this->LastBoundBO), impl.BuiltVariant.Colors);
 }
 
 //------------------------------------------------------------------------------
-bool vtkOpenGLSpherePackingMapper::DrawingScreen() const
+void vtkOpenGLSpherePackingMapper::ReplaceShaderPositionVC(
+  std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer*, vtkActor*)
 {
-  return this->LastBoundBO == &this->Impl->Screen;
+  const Internals& impl = *this->Impl;
+  ReplacePosition(shaders, impl.BuiltVariant, impl.KindOf(*this->LastBoundBO));
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenGLSpherePackingMapper::ReplaceShaderNormal(
+  std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer*, vtkActor*)
+{
+  ReplaceNormal(shaders, this->Impl->KindOf(*this->LastBoundBO));
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenGLSpherePackingMapper::ReplaceShaderLight(
+  std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* ren, vtkActor* act)
+{
+  this->Superclass::ReplaceShaderLight(shaders, ren, act);
+  AdaptLights(shaders, act->GetProperty()->GetSpecular() != 0.0);
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenGLSpherePackingMapper::ReplaceShaderEdges(
+  std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer*, vtkActor*)
+{
+  // The tags of edges, which spheres have not, come right after the superclass has declared the
+  // colours of the material, which leaves no tag of its own.
+  if (this->Impl->BuiltVariant.Colors)
+  {
+    ReplaceColor(shaders, this->Impl->KindOf(*this->LastBoundBO));
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenGLSpherePackingMapper::ReplaceShaderClip(
+  std::map<vtkShader::Type, vtkShader*>, vtkRenderer*, vtkActor*)
+{
+  // The planes clip the hit, not the primitive: isHitVisible() in RaySphereFS.glsl.
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenGLSpherePackingMapper::ReplaceShaderPicking(
+  std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* ren, vtkActor* act)
+{
+  if (!ReplacePicking(shaders, this->LastSelectionState))
+  {
+    this->Superclass::ReplaceShaderPicking(shaders, ren, act);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenGLSpherePackingMapper::ReplaceShaderCoincidentOffset(
+  std::map<vtkShader::Type, vtkShader*>, vtkRenderer*, vtkActor*)
+{
+  // Spheres coincide with nothing else; the depth is the hit's own.
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenGLSpherePackingMapper::SetMapperShaderParameters(
+  vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* act)
+{
+  Internals& impl = *this->Impl;
+  this->Superclass::SetMapperShaderParameters(cellBO, ren, act);
+  vtkShaderProgram* program = cellBO.Program;
+  const ProgramKind kind = impl.KindOf(cellBO);
+  if (kind == ProgramKind::Lighting)
+  {
+    cellBO.VAO->Bind(); // without attributes, but drawing needs one
+    impl.GeometryPass.Activate(program);
+    const float origin[2] = { static_cast<float>(impl.View.Viewport[0]),
+      static_cast<float>(impl.View.Viewport[1]) };
+    program->SetUniform2f("viewportOrigin", origin);
+    return;
+  }
+  if (impl.Buffers.BufferTime > cellBO.AttributeUpdateTime ||
+    cellBO.ShaderSourceTime > cellBO.AttributeUpdateTime ||
+    cellBO.VAO->GetMTime() > cellBO.AttributeUpdateTime.GetMTime())
+  {
+    impl.Buffers.AddAttributes(cellBO, kind);
+    cellBO.AttributeUpdateTime.Modified();
+  }
+  program->SetUniformi("hitMode", impl.HitMode);
+  // VTK 9.7 tests picks of points against the depths of the last frame; a step nearer they pass.
+  program->SetUniformf("depthBias", ren->GetSelector() ? 5e-7f : 0.0f);
+  const std::vector<std::array<float, 4>> planes =
+    impl.View.ClippingPlanes(this, act, impl.Buffers.Sprites.GetOrigin());
+  if (!planes.empty())
+  {
+    program->SetUniform4fv(
+      "sphereClipPlanes", static_cast<int>(planes.size()), planes.front().data());
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenGLSpherePackingMapper::SetCameraShaderParameters(
+  vtkOpenGLHelper& cellBO, vtkRenderer*, vtkActor*)
+{
+  const Internals& impl = *this->Impl;
+  vtkShaderProgram* program = cellBO.Program;
+  SetRayUniforms(program, impl.View);
+  if (impl.KindOf(cellBO) == ProgramKind::PointSprites)
+  {
+    SetSpriteUniforms(program, impl.View, impl.MaximumPointSize);
+  }
+  else if (program->IsUniformUsed("cameraParallel"))
+  {
+    program->SetUniformi("cameraParallel", impl.View.Parallel ? 1 : 0);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -340,21 +501,18 @@ void vtkOpenGLSpherePackingMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
   if (!this->ResourceCallback->IsReleasing())
   {
-    // What another window holds goes with that one. Its context would stay current here, and what
-    // else this window releases would be taken from it.
+    // What another window holds goes with that one. Released now, its context would remain current
+    // (see RestoreViewport()), and what else this window releases would be taken from it.
     if (!window ||
       this->ResourceCallback->IsWindowRegistered(static_cast<vtkOpenGLRenderWindow*>(window)))
     {
-      this->ResourceCallback->Release(); // comes back here in the context that holds them
+      this->ResourceCallback->Release(); // calls this again, in the context that holds them
     }
     return;
   }
-  this->Impl->VertexBuffer->ReleaseGraphicsResources();
-  this->Impl->IdBuffer->ReleaseGraphicsResources();
-  this->Impl->QuadBuffer->ReleaseGraphicsResources();
-  this->Impl->Surfaces->ReleaseGraphicsResources(window);
-  this->Impl->Surfaces.reset(new vtkSpherePackingSurfaces);
-  this->Impl->Screen.ReleaseGraphicsResources(window);
+  this->Impl->Buffers.ReleaseGraphicsResources();
+  this->Impl->GeometryPass.ReleaseGraphicsResources(window);
+  this->Impl->LightingPass.ReleaseGraphicsResources(window);
   this->Superclass::ReleaseGraphicsResources(window);
 }
 

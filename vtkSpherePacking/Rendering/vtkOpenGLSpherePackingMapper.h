@@ -1,37 +1,43 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkOpenGLSpherePackingMapper
- * @brief   draws a packing as exact spheres, one ray/sphere test a fragment
+ * @brief   draws a packing as exact spheres: ray-cast impostors
  *
  * The input's points are the centres, a point array of one component holds the radii. Nothing is
- * tessellated: a vertex shader bounds each sphere's outline, which is an ellipse in a perspective
- * view, and the fragment shader meets the ray through the pixel's centre with the sphere and
- * writes its colour, normal and depth. Spheres that the near plane or a clipping plane cuts show
- * their inside, and so do all spheres when the camera is inside.
+ * tessellated: the vertex shader bounds each sphere's outline, which is an ellipse in a perspective
+ * view, and the fragment shader intersects the ray through the pixel's centre with the sphere and
+ * writes the colour, normal and depth of the hit. Spheres that the near plane or a clipping plane
+ * cuts show their inside, and so do all spheres around the camera.
  *
  * All of vtkOpenGLPolyDataMapper's means of colouring points, its lights, properties, opacity,
- * render passes and clipping planes apply, but for vtkShadowMapPass: lit sides come out dark, since
- * the offset that it adds to depths does not reach those written here. A parallel view that is
- * sheared, as by stereo, is an error. Several samples a pixel smooth no silhouette, which is exact
- * at the pixel's centre. A sphere has one colour, so
- * InterpolateScalarsBeforeMapping is always off. Cells are ignored; representation, edges and
- * textures have no meaning for spheres, and where one is cut its opaque inside is seen whatever the
- * culling, in the colours of its outside. A vtkHardwareSelector that looks for points finds point
- * ids; one that looks for cells finds the same ids, which are those of the cells where the input
- * has one vertex cell a point in order.
+ * render passes (shadow maps among them) and clipping planes apply. A parallel view that is
+ * sheared, as by stereo, is an error. Several samples per pixel smooth no silhouette, which is
+ * exact at the pixel's centre. A sphere has one colour, so InterpolateScalarsBeforeMapping is
+ * always off. Cells are ignored; representation, edges and textures have no meaning for spheres,
+ * and where one is cut its opaque inside is seen whatever the culling, in the colours of its
+ * outside. A vtkHardwareSelector that looks for points finds point ids; one that looks for cells
+ * finds the same ids, which are those of the cells where the input has one vertex cell per point in
+ * order.
  *
  * The actor's matrix may rotate, translate and scale uniformly. With any other matrix, or with
  * radii that vtkSpherePackingInput refuses, an error is reported and nothing is drawn.
  *
  * @par Precision
- * Centres are taken to window and depth coordinates in double precision (on the GPU where it has
- * GL_ARB_gpu_shader_fp64), and everything after that is relative to the sphere, so that
+ * Centres are transformed to window and depth coordinates in double precision (on the GPU where it
+ * has GL_ARB_gpu_shader_fp64), and everything after that is relative to the sphere, so that
  * coordinates of 1e7 with radii of 1e-3 show no jitter.
+ *
+ * @par Deferred shading and culling
+ * Opaque spheres of a large packing, or in a window with several samples per pixel or several
+ * lights, are drawn into a G-buffer and lit once per pixel. They are drawn roughly front to back,
+ * and those behind what has been drawn are culled in the vertex shader.
  *
  * @par Source
  * C. Sigg, T. Weyrich, M. Botsch, M. Gross, "GPU-Based Ray-Casting of Quadratic Surfaces", 2006;
  * E. Haines, J. Guenther, T. Akenine-Moller, "Precision Improvements for Ray/Sphere
- * Intersection", Ray Tracing Gems, chapter 7, 2019.
+ * Intersection", Ray Tracing Gems, chapter 7, 2019; T. Saito, T. Takahashi, "Comprehensible
+ * Rendering of 3-D Shapes", 1990; S. Grottel, G. Reina, C. Dachsbacher, T. Ertl, "Coherent Culling
+ * and Shading for Large Molecular Dynamics Visualization", 2010.
  *
  * @sa vtkSpherePackingInput, vtkSpherePackingReader
  */
@@ -41,11 +47,7 @@
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkSpherePackingRenderingModule.h" // for the export macro
 
-#include <array>  // for clipping planes
 #include <memory> // for the private state
-#include <vector> // for clipping planes
-
-struct vtkSpherePackingView;
 
 class VTKSPHEREPACKINGRENDERING_EXPORT vtkOpenGLSpherePackingMapper : public vtkOpenGLPolyDataMapper
 {
@@ -65,21 +67,21 @@ public:
   ///@}
 
   /**
-   * Always off: there is nothing between the points to interpolate.
+   * Always off: a sphere has one colour.
    */
   void SetInterpolateScalarsBeforeMapping(vtkTypeBool) override {}
 
   ///@{
   /**
-   * Whether the spheres are drawn, on by default. Off, they still count for the scene's bounds and
-   * are found by selection, for when something else shows them.
+   * Whether the spheres are drawn, on by default. When off they still count for the scene's bounds
+   * and are found by selection: for when something else shows them.
    */
   void SetDrawn(bool drawn) { this->Drawn = drawn; }
   bool GetDrawn() const { return this->Drawn; }
   ///@}
 
   /**
-   * What stopped the last drawing, or empty.
+   * The error that prevented the last drawing, or empty.
    */
   const char* GetErrorMessage() const;
 
@@ -128,12 +130,8 @@ private:
 
   bool PrepareInput();
   void Fail(const std::string& message);
-  void UploadQuads(const vtkSpherePackingView& view);
-  void DrawSpheres(vtkRenderer* ren, vtkActor* act);
-  void DrawSurfacesThenLights(vtkRenderer* ren, vtkActor* act);
-  std::vector<std::array<float, 4>> ComputeClippingPlanes(vtkActor* act);
-  bool DrawingQuads() const;
-  bool DrawingScreen() const;
+  void DrawForward(vtkRenderer* ren, vtkActor* act);
+  void DrawDeferred(vtkRenderer* ren, vtkActor* act);
 
   bool Drawn = true;
   struct Internals;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSpherePackingPicturePass.h"
 
-#include "vtkSpherePackingPictureFS.h"
-
 #include "vtkCamera.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
@@ -20,6 +18,8 @@
 #include "vtkUnsignedCharArray.h"
 #include "vtk_glad.h"
 
+#include "PictureFS.h"
+
 #include <algorithm>
 
 vtkStandardNewMacro(vtkSpherePackingPicturePass);
@@ -30,7 +30,6 @@ bool Load(vtkTextureObject* texture, vtkOpenGLRenderWindow* window, const int (&
   int components, int type, void* values)
 {
   texture->SetContext(window);
-  texture->ResetFormatAndType();
   return texture->Create2DFromRaw(static_cast<unsigned int>(size[0]),
     static_cast<unsigned int>(size[1]), components, type, values);
 }
@@ -85,6 +84,50 @@ bool vtkSpherePackingPicturePass::Upload(vtkOpenGLRenderWindow* window)
 }
 
 //------------------------------------------------------------------------------
+bool vtkSpherePackingPicturePass::UseProgram(vtkOpenGLRenderWindow* window)
+{
+  if (!this->Quad)
+  {
+    this->Quad.reset(new vtkOpenGLQuadHelper(window, nullptr, PictureFS, nullptr));
+  }
+  else
+  {
+    window->GetShaderCache()->ReadyShaderProgram(this->Quad->Program);
+  }
+  return this->Quad->Program != nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkSpherePackingPicturePass::SetUniforms(vtkRenderer* renderer, vtkOpenGLRenderWindow* window)
+{
+  vtkCamera* camera = renderer->GetActiveCamera();
+  float range[2];
+  for (int i = 0; i < 2; ++i)
+  {
+    range[i] = static_cast<float>(camera->GetClippingRange()[i]);
+  }
+  // vtkWindowToImageFilter makes images larger than the window of tiles.
+  const double* viewport = renderer->GetViewport();
+  const double* tile = window->GetTileViewport();
+  float origin[2];
+  float size[2];
+  for (int i = 0; i < 2; ++i)
+  {
+    const double whole = viewport[i + 2] - viewport[i];
+    const double low = std::max(viewport[i], tile[i]);
+    origin[i] = static_cast<float>((low - viewport[i]) / whole);
+    size[i] = static_cast<float>((std::min(viewport[i + 2], tile[i + 2]) - low) / whole);
+  }
+  vtkShaderProgram* program = this->Quad->Program;
+  program->SetUniform2f("tileOrigin", origin);
+  program->SetUniform2f("tileSize", size);
+  program->SetUniformi("colors", this->Colors->GetTextureUnit());
+  program->SetUniformi("depths", this->Depths->GetTextureUnit());
+  program->SetUniform2f("clippingRange", range);
+  program->SetUniformi("parallelProjection", camera->GetParallelProjection());
+}
+
+//------------------------------------------------------------------------------
 void vtkSpherePackingPicturePass::Render(const vtkRenderState* s)
 {
   this->NumberOfRenderedProps = 0;
@@ -107,45 +150,13 @@ void vtkSpherePackingPicturePass::Render(const vtkRenderState* s)
   state->vtkglBlendFuncSeparate(
     GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
 
-  if (!this->Quad)
-  {
-    this->Quad.reset(new vtkOpenGLQuadHelper(window, nullptr, vtkSpherePackingPictureFS, nullptr));
-  }
-  else
-  {
-    window->GetShaderCache()->ReadyShaderProgram(this->Quad->Program);
-  }
-  if (!this->Quad->Program)
+  if (!this->UseProgram(window))
   {
     return;
   }
   this->Colors->Activate();
   this->Depths->Activate();
-  vtkShaderProgram* program = this->Quad->Program;
-  vtkCamera* camera = renderer->GetActiveCamera();
-  float range[2];
-  for (int i = 0; i < 2; ++i)
-  {
-    range[i] = static_cast<float>(camera->GetClippingRange()[i]);
-  }
-  // Large pictures of a window are made of tiles.
-  const double* viewport = renderer->GetViewport();
-  const double* tile = window->GetTileViewport();
-  float origin[2];
-  float extent[2];
-  for (int i = 0; i < 2; ++i)
-  {
-    const double whole = viewport[i + 2] - viewport[i];
-    const double low = std::max(viewport[i], tile[i]);
-    origin[i] = static_cast<float>((low - viewport[i]) / whole);
-    extent[i] = static_cast<float>((std::min(viewport[i + 2], tile[i + 2]) - low) / whole);
-  }
-  program->SetUniform2f("partOrigin", origin);
-  program->SetUniform2f("partExtent", extent);
-  program->SetUniformi("colors", this->Colors->GetTextureUnit());
-  program->SetUniformi("depths", this->Depths->GetTextureUnit());
-  program->SetUniform2f("clippingRange", range);
-  program->SetUniformi("parallelProjection", camera->GetParallelProjection());
+  this->SetUniforms(renderer, window);
   this->Quad->Render();
   this->Depths->Deactivate();
   this->Colors->Deactivate();

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSpherePackingPicturePass
- * @brief   a picture in a scene, at the depths of what it shows
+ * @brief   draws a ray-cast picture into a scene, at the depths of what it shows
  *
- * Draws a picture that a vtkSpherePackingTracer or a vtkSpherePackingPathTracer made of the
- * renderer's camera, over the whole viewport, so that it hides what is behind its spheres and is
- * hidden by what is before them. It is a step of the opaque part of a vtkRenderStepsPass: what is
- * transparent, and overlays, come after it. Where the picture's opacity is below 255 what was drawn
- * before shows through.
+ * The picture is one that a vtkSpherePackingTracer or a vtkSpherePackingPathTracer made with the
+ * renderer's camera. It covers the viewport, is depth-tested and writes depths, so its spheres hide
+ * what is behind them and are hidden by what is in front. The pass belongs to the opaque step of a
+ * vtkRenderStepsPass: translucent geometry and overlays come after it. Where the alpha of the
+ * picture is below 255, what was drawn before shows through.
  *
  * @sa vtkSpherePackingPathTracer, vtkOpenGLSpherePackingMapper
  */
@@ -34,9 +34,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * The picture, with the point arrays `color` (four unsigned chars) and `depth` (float), none by
-   * default, for none. One without these arrays is not drawn. Its size should be that of the
-   * viewport in pixels.
+   * The picture, null by default. It has the point arrays `color` (RGBA, unsigned char) and `depth`
+   * (float); without them it is not drawn. Its size should be that of the viewport in pixels.
    */
   void SetPicture(vtkImageData* picture);
   vtkImageData* GetPicture();
@@ -51,7 +50,10 @@ protected:
 private:
   vtkSpherePackingPicturePass(const vtkSpherePackingPicturePass&) = delete;
   void operator=(const vtkSpherePackingPicturePass&) = delete;
+
   bool Upload(vtkOpenGLRenderWindow* window);
+  bool UseProgram(vtkOpenGLRenderWindow* window);
+  void SetUniforms(vtkRenderer* renderer, vtkOpenGLRenderWindow* window);
 
   vtkSmartPointer<vtkImageData> Picture;
   vtkNew<vtkTextureObject> Colors;

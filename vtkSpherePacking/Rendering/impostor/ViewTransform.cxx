@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkSpherePackingView.h"
+#include "impostor/ViewTransform.h"
 
+#include "vtkAbstractMapper3D.h"
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkMath.h"
@@ -15,10 +16,11 @@
 #include <algorithm>
 #include <cmath>
 
-VTK_ABI_NAMESPACE_BEGIN
+namespace spherepacking
+{
 namespace
 {
-// The scale of a similarity, or 0 when the matrix stretches or shears.
+// The uniform scale of a similarity, or 0 if the matrix stretches or shears.
 double SimilarityScale(const std::array<std::array<double, 3>, 3>& rows)
 {
   const double squared = vtkMath::Dot(rows[0].data(), rows[0].data());
@@ -38,7 +40,7 @@ double SimilarityScale(const std::array<std::array<double, 3>, 3>& rows)
 }
 
 //------------------------------------------------------------------------------
-std::string vtkSpherePackingView::Compute(
+std::string ViewTransform::Compute(
   vtkRenderer* renderer, vtkActor* actor, const std::array<double, 3>& origin)
 {
   auto* camera = static_cast<vtkOpenGLCamera*>(renderer->GetActiveCamera());
@@ -55,17 +57,17 @@ std::string vtkSpherePackingView::Compute(
     return "the parallel view is sheared, as by stereo or a view shear; spheres allow that in "
            "perspective only";
   }
-  std::string problem = this->ComputeEye(worldToView, actor->GetMatrix(), projection, origin);
+  std::string problem = this->ComputeModelView(worldToView, actor->GetMatrix(), projection, origin);
   if (problem.empty())
   {
-    this->ComputeRange(camera, projection);
-    this->ComputePixels(renderer, projection);
+    this->ComputeClippingRange(camera, projection);
+    this->ComputeViewport(renderer, projection);
   }
   return problem;
 }
 
 //------------------------------------------------------------------------------
-std::string vtkSpherePackingView::ComputeEye(vtkMatrix4x4* worldToView, vtkMatrix4x4* actor,
+std::string ViewTransform::ComputeModelView(vtkMatrix4x4* worldToView, vtkMatrix4x4* actor,
   vtkMatrix4x4* projection, const std::array<double, 3>& origin)
 {
   double view[16];
@@ -76,10 +78,10 @@ std::string vtkSpherePackingView::ComputeEye(vtkMatrix4x4* worldToView, vtkMatri
   for (int i = 0; i < 3; ++i)
   {
     const double* row = modelToView + 4 * i;
-    this->Rows[i] = { row[0], row[1], row[2] };
+    this->ModelToView[i] = { row[0], row[1], row[2] };
     shift[i] = row[3] + vtkMath::Dot(row, origin.data());
   }
-  this->RadiusScale = SimilarityScale(this->Rows);
+  this->RadiusScale = SimilarityScale(this->ModelToView);
   if (!(this->RadiusScale > 0.0))
   {
     const double cameraScale = SimilarityScale({ { { view[0], view[1], view[2] },
@@ -95,19 +97,21 @@ std::string vtkSpherePackingView::ComputeEye(vtkMatrix4x4* worldToView, vtkMatri
     // Stereo and view shear move the eye sideways within the projection.
     shift[i] += projection->GetElement(3, i) / projection->GetElement(i, i);
   }
+  // The inverse of a similarity is its transpose divided by the square of its scale.
   const double squared = this->RadiusScale * this->RadiusScale;
   for (int j = 0; j < 3; ++j)
   {
-    this->Eye[j] =
-      -(this->Rows[0][j] * shift[0] + this->Rows[1][j] * shift[1] + this->Rows[2][j] * shift[2]) /
+    this->Eye[j] = -(this->ModelToView[0][j] * shift[0] + this->ModelToView[1][j] * shift[1] +
+                     this->ModelToView[2][j] * shift[2]) /
       squared;
   }
   return {};
 }
 
 //------------------------------------------------------------------------------
-void vtkSpherePackingView::ComputeRange(vtkCamera* camera, vtkMatrix4x4* projection)
+void ViewTransform::ComputeClippingRange(vtkCamera* camera, vtkMatrix4x4* projection)
 {
+  // An explicit projection matrix goes by its own near and far plane, whatever the camera says.
   const double p22 = projection->GetElement(2, 2);
   const double p23 = projection->GetElement(3, 2);
   if (!camera->GetUseExplicitProjectionTransformMatrix())
@@ -127,7 +131,7 @@ void vtkSpherePackingView::ComputeRange(vtkCamera* camera, vtkMatrix4x4* project
 }
 
 //------------------------------------------------------------------------------
-void vtkSpherePackingView::ComputePixels(vtkRenderer* renderer, vtkMatrix4x4* projection)
+void ViewTransform::ComputeViewport(vtkRenderer* renderer, vtkMatrix4x4* projection)
 {
   int viewport[4];
   static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow())
@@ -139,21 +143,21 @@ void vtkSpherePackingView::ComputePixels(vtkRenderer* renderer, vtkMatrix4x4* pr
     const double half = 0.5 * this->Viewport[2 + i];
     const double offset =
       this->Parallel ? projection->GetElement(3, i) : -projection->GetElement(2, i);
-    this->PixelMap[i] = half * projection->GetElement(i, i);
-    this->PixelMap[2 + i] = half * (1.0 + offset);
+    this->SlopeToPixel[i] = half * projection->GetElement(i, i);
+    this->SlopeToPixel[2 + i] = half * (1.0 + offset);
   }
 }
 
 //------------------------------------------------------------------------------
-std::array<double, 3> vtkSpherePackingView::ToView(const std::array<double, 3>& model) const
+std::array<double, 3> ViewTransform::ToView(const std::array<double, 3>& model) const
 {
   const double p[3] = { model[0] - this->Eye[0], model[1] - this->Eye[1], model[2] - this->Eye[2] };
-  return { vtkMath::Dot(this->Rows[0].data(), p), vtkMath::Dot(this->Rows[1].data(), p),
-    vtkMath::Dot(this->Rows[2].data(), p) };
+  return { vtkMath::Dot(this->ModelToView[0].data(), p),
+    vtkMath::Dot(this->ModelToView[1].data(), p), vtkMath::Dot(this->ModelToView[2].data(), p) };
 }
 
 //------------------------------------------------------------------------------
-bool vtkSpherePackingView::HoldsDepthsOf(
+bool ViewTransform::DepthRangeContains(
   const double bounds[6], const std::array<double, 3>& origin) const
 {
   for (int corner = 0; corner < 8; ++corner)
@@ -173,26 +177,21 @@ bool vtkSpherePackingView::HoldsDepthsOf(
 }
 
 //------------------------------------------------------------------------------
-int vtkSpherePackingView::ChooseTile(
-  const double bounds[6], const std::array<double, 3>& origin, double radius) const
+std::vector<std::array<float, 4>> ViewTransform::ClippingPlanes(
+  vtkAbstractMapper3D* mapper, vtkActor* actor, const std::array<double, 3>& origin) const
 {
-  std::array<double, 3> middle;
-  for (int axis = 0; axis < 3; ++axis)
+  std::vector<std::array<float, 4>> planes(mapper->GetNumberOfClippingPlanes());
+  for (std::size_t i = 0; i < planes.size(); ++i)
   {
-    middle[axis] = 0.5 * (bounds[2 * axis] + bounds[2 * axis + 1]) - origin[axis];
+    double plane[4]; // a x + b y + c z + d in data coordinates
+    mapper->GetClippingPlaneInDataCoords(actor->GetMatrix(), static_cast<int>(i), plane);
+    planes[i] = this->ToNearPlaneSpace(plane, origin);
   }
-  const double depth = this->Parallel ? 1.0 : std::max(-this->ToView(middle)[2], this->Near);
-  const double pixels = 2.0 * radius * this->RadiusScale * std::abs(this->PixelMap[1]) / depth;
-  int tile = 4;
-  while (tile < pixels && tile < 32)
-  {
-    tile *= 2;
-  }
-  return tile;
+  return planes;
 }
 
 //------------------------------------------------------------------------------
-std::array<float, 4> vtkSpherePackingView::ToNearPlaneSpace(
+std::array<float, 4> ViewTransform::ToNearPlaneSpace(
   const double plane[4], const std::array<double, 3>& origin) const
 {
   const double squared = this->RadiusScale * this->RadiusScale;
@@ -200,11 +199,11 @@ std::array<float, 4> vtkSpherePackingView::ToNearPlaneSpace(
   double constant = plane[3];
   for (int i = 0; i < 3; ++i)
   {
-    normal[i] = vtkMath::Dot(this->Rows[i].data(), plane) / squared;
+    normal[i] = vtkMath::Dot(this->ModelToView[i].data(), plane) / squared;
     constant += plane[i] * (origin[i] + this->Eye[i]);
   }
   constant -= normal[2] * this->Near;
   return { static_cast<float>(normal[0]), static_cast<float>(normal[1]),
     static_cast<float>(normal[2]), static_cast<float>(constant) };
 }
-VTK_ABI_NAMESPACE_END
+}

@@ -1,19 +1,21 @@
 //VTK::System::Dec
 
 // SPDX-License-Identifier: BSD-3-Clause
-// Corners of a quad that the host placed: spheres too near or too large for a point. The flat
-// values are explained in vtkSpherePackingFSDeclarations.glsl.
+// Corners of an impostor quad that the host has projected: a sphere that PointSpriteVS.glsl rejects.
+// RaySphereFS.glsl explains the flat values.
 
-in vec3 corner; // normalised device coordinates
+in vec3 corner; // normalized device coordinates
 in vec4 sphereReference;
+in vec2 sphereReferenceLow;
 in vec4 sphereShape;
 in vec4 sphereShapeLow;
-in vec4 sphereRest;
+in vec2 eyePower;
 
 flat out vec4 sphereReferenceVSOutput;
+flat out vec2 sphereReferenceLowVSOutput;
 flat out vec4 sphereShapeVSOutput;
 flat out vec4 sphereShapeLowVSOutput;
-flat out vec4 sphereRestVSOutput;
+flat out vec2 eyePowerVSOutput;
 //VTK::Color::Dec
 //VTK::Picking::Dec
 
@@ -22,8 +24,9 @@ void main()
   //VTK::Color::Impl
   //VTK::Picking::Impl
   sphereReferenceVSOutput = sphereReference;
+  sphereReferenceLowVSOutput = sphereReferenceLow;
   sphereShapeVSOutput = sphereShape;
   sphereShapeLowVSOutput = sphereShapeLow;
-  sphereRestVSOutput = sphereRest;
+  eyePowerVSOutput = eyePower;
   gl_Position = vec4(corner, 1.0);
 }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkSpherePackingVertices.h"
+#include "impostor/PointSprites.h"
+
+#include "impostor/SplitDouble.h"
 
 #include "vtkArrayDispatch.h"
 #include "vtkBoundingBox.h"
@@ -8,24 +10,25 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
-#include "vtkSpherePackingSplit.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cstdint>
 #include <utility>
 
-VTK_ABI_NAMESPACE_BEGIN
+namespace spherepacking
+{
 namespace
 {
-constexpr vtkIdType BlockSize = 256;
+constexpr vtkIdType ClusterSize = 256;
 
-// 21 bits of each coordinate, interleaved: points that are near in this order are near in space.
-// (Morton, "A Computer Oriented Geodetic Data Base", 1966.)
-struct MortonKeys
+// Morton codes: 21 bits of each coordinate, interleaved. Points that are near each other in their
+// order are near in space. (G. M. Morton, "A Computer Oriented Geodetic Data Base", 1966.)
+struct MortonCodes
 {
-  std::vector<std::pair<std::uint64_t, vtkIdType>> Keys;
+  std::vector<std::pair<std::uint64_t, vtkIdType>> Codes;
 
+  // Puts two zero bits above each of the lower 21 bits.
   static std::uint64_t Spread(std::uint64_t x)
   {
     x = (x | x << 32) & 0x001f00000000ffffull;
@@ -39,46 +42,46 @@ struct MortonKeys
   template <typename PointsT>
   void operator()(PointsT* points, const double bounds[6])
   {
-    const auto centres = vtk::DataArrayTupleRange<3>(points);
-    this->Keys.resize(centres.size());
+    const auto centers = vtk::DataArrayTupleRange<3>(points);
+    this->Codes.resize(centers.size());
     const double length =
       std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
     const double scale = length > 0.0 ? ((1 << 21) - 1) / length : 0.0;
-    vtkSMPTools::For(0, centres.size(),
+    vtkSMPTools::For(0, centers.size(),
       [&](vtkIdType begin, vtkIdType end)
       {
         for (vtkIdType i = begin; i < end; ++i)
         {
-          std::uint64_t key = 0;
+          std::uint64_t code = 0;
           for (int axis = 0; axis < 3; ++axis)
           {
-            const double x = static_cast<double>(centres[i][axis]) - bounds[2 * axis];
-            key |= Spread(static_cast<std::uint64_t>(x * scale)) << axis;
+            const double x = static_cast<double>(centers[i][axis]) - bounds[2 * axis];
+            code |= Spread(static_cast<std::uint64_t>(x * scale)) << axis;
           }
-          this->Keys[i] = { key, i };
+          this->Codes[i] = { code, i };
         }
       });
   }
 };
 
-struct FillGeometry
+struct FillVertices
 {
   template <typename PointsT, typename RadiiT>
   void operator()(PointsT* points, RadiiT* radii, const std::array<double, 3>& origin,
-    const std::vector<vtkIdType>& ids, std::vector<vtkSpherePackingVertex>& vertices)
+    const std::vector<vtkIdType>& ids, std::vector<SpriteVertex>& vertices)
   {
-    const auto centres = vtk::DataArrayTupleRange<3>(points);
+    const auto centers = vtk::DataArrayTupleRange<3>(points);
     const auto r = vtk::DataArrayValueRange<1>(radii);
     vtkSMPTools::For(0, static_cast<vtkIdType>(ids.size()),
       [&](vtkIdType begin, vtkIdType end)
       {
         for (vtkIdType i = begin; i < end; ++i)
         {
-          vtkSpherePackingVertex& vertex = vertices[i];
+          SpriteVertex& vertex = vertices[i];
           for (int axis = 0; axis < 3; ++axis)
           {
-            const double x = static_cast<double>(centres[ids[i]][axis]) - origin[axis];
-            vtkSpherePackingSplit(x, vertex.High[axis], vertex.Low[axis]);
+            const double x = static_cast<double>(centers[ids[i]][axis]) - origin[axis];
+            SplitDouble(x, vertex.CenterHigh[axis], vertex.CenterLow[axis]);
           }
           vertex.Radius = static_cast<float>(r[ids[i]]);
         }
@@ -88,7 +91,7 @@ struct FillGeometry
 }
 
 //------------------------------------------------------------------------------
-void vtkSpherePackingFillColor(unsigned char rgba[4], vtkUnsignedCharArray* colors, vtkIdType id)
+void PackColor(unsigned char rgba[4], vtkUnsignedCharArray* colors, vtkIdType id)
 {
   std::fill_n(rgba, 4, static_cast<unsigned char>(255));
   if (colors)
@@ -107,7 +110,7 @@ void vtkSpherePackingFillColor(unsigned char rgba[4], vtkUnsignedCharArray* colo
 }
 
 //------------------------------------------------------------------------------
-void vtkSpherePackingFillId(unsigned char bytes[4], vtkIdType id)
+void PackId(unsigned char bytes[4], vtkIdType id)
 {
   for (int i = 0; i < 4; ++i)
   {
@@ -116,11 +119,11 @@ void vtkSpherePackingFillId(unsigned char bytes[4], vtkIdType id)
 }
 
 //------------------------------------------------------------------------------
-std::vector<vtkSpherePackingVertex> vtkSpherePackingVertices::Build(
+std::vector<SpriteVertex> PointSprites::Build(
   vtkPolyData* packing, vtkDataArray* radii, vtkUnsignedCharArray* colors)
 {
   const vtkIdType count = packing->GetNumberOfPoints();
-  std::vector<vtkSpherePackingVertex> vertices(count);
+  std::vector<SpriteVertex> vertices(count);
   this->PointIds.resize(count);
 
   double bounds[6];
@@ -132,7 +135,7 @@ std::vector<vtkSpherePackingVertex> vtkSpherePackingVertices::Build(
 
   vtkDataArray* points = packing->GetPoints()->GetData();
   this->SortIds(points, bounds);
-  FillGeometry fill;
+  FillVertices fill;
   using Dispatcher =
     vtkArrayDispatch::Dispatch2ByValueType<vtkArrayDispatch::Reals, vtkArrayDispatch::AllTypes>;
   if (!Dispatcher::Execute(points, radii, fill, this->Origin, this->PointIds, vertices))
@@ -145,35 +148,36 @@ std::vector<vtkSpherePackingVertex> vtkSpherePackingVertices::Build(
     {
       for (vtkIdType i = begin; i < end; ++i)
       {
-        vtkSpherePackingFillColor(vertices[i].Color, colors, this->PointIds[i]);
+        PackColor(vertices[i].Color, colors, this->PointIds[i]);
       }
     });
-  this->BuildBlocks(vertices);
+  this->FindUpperQuartile(vertices);
+  this->BuildClusters(vertices);
   return vertices;
 }
 
 //------------------------------------------------------------------------------
-void vtkSpherePackingVertices::SortIds(vtkDataArray* points, const double bounds[6])
+void PointSprites::SortIds(vtkDataArray* points, const double bounds[6])
 {
-  MortonKeys keys;
+  MortonCodes codes;
   if (!vtkArrayDispatch::DispatchByValueType<vtkArrayDispatch::Reals>::Execute(
-        points, keys, bounds))
+        points, codes, bounds))
   {
-    keys(points, bounds);
+    codes(points, bounds);
   }
-  vtkSMPTools::Sort(keys.Keys.begin(), keys.Keys.end());
-  vtkSMPTools::For(0, static_cast<vtkIdType>(keys.Keys.size()),
+  vtkSMPTools::Sort(codes.Codes.begin(), codes.Codes.end());
+  vtkSMPTools::For(0, static_cast<vtkIdType>(codes.Codes.size()),
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType i = begin; i < end; ++i)
       {
-        this->PointIds[i] = keys.Keys[i].second;
+        this->PointIds[i] = codes.Codes[i].second;
       }
     });
 }
 
 //------------------------------------------------------------------------------
-void vtkSpherePackingVertices::BuildBlocks(const std::vector<vtkSpherePackingVertex>& vertices)
+void PointSprites::FindUpperQuartile(const std::vector<SpriteVertex>& vertices)
 {
   const vtkIdType count = static_cast<vtkIdType>(vertices.size());
   std::vector<float> radii;
@@ -183,33 +187,40 @@ void vtkSpherePackingVertices::BuildBlocks(const std::vector<vtkSpherePackingVer
   }
   if (!radii.empty())
   {
-    const auto usual = radii.begin() + 3 * radii.size() / 4;
-    std::nth_element(radii.begin(), usual, radii.end());
-    this->UsualRadius = *usual;
+    const auto quartile = radii.begin() + 3 * radii.size() / 4;
+    std::nth_element(radii.begin(), quartile, radii.end());
+    this->UpperQuartileRadius = *quartile;
   }
-  this->Blocks.resize((count + BlockSize - 1) / BlockSize);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Blocks.size()),
+}
+
+//------------------------------------------------------------------------------
+void PointSprites::BuildClusters(const std::vector<SpriteVertex>& vertices)
+{
+  const vtkIdType count = static_cast<vtkIdType>(vertices.size());
+  this->Clusters.resize((count + ClusterSize - 1) / ClusterSize);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Clusters.size()),
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType b = begin; b < end; ++b)
       {
-        vtkSpherePackingBlock& block = this->Blocks[b];
-        block.Begin = b * BlockSize;
-        block.End = std::min(block.Begin + BlockSize, count);
-        block.MaximumRadius = 0.0;
+        SphereCluster& cluster = this->Clusters[b];
+        cluster.Begin = b * ClusterSize;
+        cluster.End = std::min(cluster.Begin + ClusterSize, count);
+        cluster.MaximumRadius = 0.0;
         vtkBoundingBox box;
-        for (vtkIdType i = block.Begin; i < block.End; ++i)
+        for (vtkIdType i = cluster.Begin; i < cluster.End; ++i)
         {
-          const vtkSpherePackingVertex& v = vertices[i];
+          const SpriteVertex& v = vertices[i];
           const double r = v.Radius;
-          block.MaximumRadius = std::max(block.MaximumRadius, r);
-          const double c[3] = { this->Origin[0] + v.High[0] + v.Low[0],
-            this->Origin[1] + v.High[1] + v.Low[1], this->Origin[2] + v.High[2] + v.Low[2] };
+          cluster.MaximumRadius = std::max(cluster.MaximumRadius, r);
+          const double c[3] = { this->Origin[0] + v.CenterHigh[0] + v.CenterLow[0],
+            this->Origin[1] + v.CenterHigh[1] + v.CenterLow[1],
+            this->Origin[2] + v.CenterHigh[2] + v.CenterLow[2] };
           const double bounds[6] = { c[0] - r, c[0] + r, c[1] - r, c[1] + r, c[2] - r, c[2] + r };
           box.AddBounds(bounds);
         }
-        box.GetBounds(block.Bounds.data());
+        box.GetBounds(cluster.Bounds.data());
       }
     });
 }
-VTK_ABI_NAMESPACE_END
+}

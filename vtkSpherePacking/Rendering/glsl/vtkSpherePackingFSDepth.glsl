@@ -1,1 +1,0 @@
-  gl_FragDepth = max(sphereDepth() - depthShift, 0.0);
