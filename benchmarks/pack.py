@@ -34,8 +34,8 @@ RUN = """
 import sys, time
 from pathlib import Path
 import spherepacking
-from spherepacking import _backend
-from spherepacking._pack_file import read_surface
+from spherepacking import backend
+from spherepacking.files.surfaces import read_surface
 
 path, count, cuts, target = sys.argv[1:]
 start = time.perf_counter()

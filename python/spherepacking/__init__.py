@@ -26,16 +26,16 @@ __all__ = [
 # Nothing is imported before it is used: the command line answers at once, and importing this
 # package does not decide which VTK PyVista runs on.
 _HOMES = {
-    "PackingFileError": "._errors",
-    "Sun": "._sky",
-    "apollonian": "._apollonian",
-    "compare_images": ".image",
-    "pack": "._pack",
-    "read": ".readers",
-    "read_image": ".image",
-    "write": ".writers",
-    "write_image": ".image",
-    "write_render": "._layers",
+    "PackingFileError": ".files.errors",
+    "Sun": ".trace.sky",
+    "apollonian": ".make.apollonian",
+    "compare_images": ".files.image",
+    "pack": ".make.pack",
+    "read": ".files.readers",
+    "read_image": ".files.image",
+    "write": ".files.writers",
+    "write_image": ".files.image",
+    "write_render": ".files.exr",
 }
 
 

@@ -9,11 +9,11 @@ import numpy as np
 import pyvista as pv
 from pyvista.core._typing_core import BoundsTuple
 
-from . import _arguments as arguments
-from ._boxes import BoxesOfPacking
-from ._metaballs import MetaballsOfPacking
-from ._pathtrace import PathTracer
-from ._raycast import Caster, Pick
+from . import checks as arguments
+from .metaballs.accessor import MetaballsOfPacking
+from .trace.boxes import BoxesOfPacking
+from .trace.path_trace import PathTracer
+from .trace.ray_cast import Caster, Pick
 
 if TYPE_CHECKING:
     import os
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
     from pyvista.plotting._typing import ColorLike
 
-    from ._sky import Sun
+    from .trace.sky import Sun
 
 
 @pv.register_dataset_accessor("packing", pv.PolyData)
@@ -81,7 +81,7 @@ class PackingAccessor(BoxesOfPacking, MetaballsOfPacking):
         """
         if not self.n_spheres:
             return self._packing.bounds
-        from ._backend import vtkSpherePackingInput
+        from .backend import vtkSpherePackingInput
 
         arguments.radii_of(self._packing, "radius")
         box = [0.0] * 6
@@ -100,7 +100,7 @@ class PackingAccessor(BoxesOfPacking, MetaballsOfPacking):
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write the packing, see :func:`spherepacking.write`."""
-        from .writers import write
+        from .files.writers import write
 
         write(self._packing, path)
 
@@ -445,7 +445,7 @@ class PackingAccessor(BoxesOfPacking, MetaballsOfPacking):
         >>> packing = spherepacking.apollonian(3)
         >>> packing.packing.plot(cmap="magma", screenshot="packing.png")  # doctest: +SKIP
         """
-        from ._offscreen import choose_window
+        from .draw.offscreen import choose_window
         from .plotter import PackingComponent
 
         choose_window()

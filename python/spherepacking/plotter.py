@@ -7,11 +7,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pyvista as pv
 
-from . import _arguments as arguments
-from ._colour_map import colour_map_of, special_colours, widened
-from ._metaball_component import MetaballsOfPlotter
-from ._scalar_bar import scalar_bar_of
-from ._scalars import opacity_of, scalars_of
+from . import checks as arguments
+from .look.color_map import colour_map_of, special_colours, widened
+from .look.scalar_bar import scalar_bar_of
+from .look.scalars import opacity_of, scalars_of
+from .metaballs.plotter import MetaballsOfPlotter
 
 if TYPE_CHECKING:
     import os
@@ -21,9 +21,9 @@ if TYPE_CHECKING:
     from pyvista.plotting._typing import ColorLike
     from pyvista.plotting.themes import Theme
 
-    from ._live import LivePicture
-    from ._scalars import Opacity, Scalars
-    from .mapper import SpherePackingMapper
+    from .draw.mapper import SpherePackingMapper
+    from .look.scalars import Opacity, Scalars
+    from .trace.live import LivePicture
 
 
 @pv.register_plotter_component("packing")
@@ -313,8 +313,8 @@ class PackingComponent(MetaballsOfPlotter):
         True
         >>> plotter.close()
         """
-        from ._live import LivePicture, check_live
         from .accessor import PackingAccessor
+        from .trace.live import LivePicture, check_live
 
         for picture in [p for p in self._pictures if p.abandoned]:
             picture.close()
@@ -390,8 +390,8 @@ class PackingComponent(MetaballsOfPlotter):
         TypeError, ValueError
             If the format is unknown, or the picture's size is none, or above 16384 along a side.
         """
-        from .image import check_output, write_image
-        from .mapper import SpherePackingMapper
+        from .draw.mapper import SpherePackingMapper
+        from .files.image import check_output, write_image
 
         check_output(filename)
         factor = 1 if scale is None else arguments.count_of("scale", scale, most=16384)
@@ -428,7 +428,7 @@ def _mapper(
     words: dict[str, object],
 ) -> SpherePackingMapper:
     """Make the mapper; `words` are those of :meth:`pyvista.DataSetMapper.set_scalars`."""
-    from .mapper import SpherePackingMapper
+    from .draw.mapper import SpherePackingMapper
 
     mapper = SpherePackingMapper(packing, theme, radius)
     # The range of no scalars is not defined.

@@ -6,8 +6,8 @@ import itertools
 
 import pytest
 import spherepacking
-from spherepacking import cli
 from spherepacking.bench import command, fields
+from spherepacking.cli import main as cli
 
 
 def bench(tmp_path, *arguments):

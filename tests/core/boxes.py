@@ -2,7 +2,7 @@
 
 import numpy as np
 import pyvista as pv
-from spherepacking._errors import ErrorLog
+from spherepacking.vtk_tools import ErrorLog
 
 
 def boxes_of(algorithm, packing):

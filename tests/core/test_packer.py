@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 import pyvista as pv
-from spherepacking._backend import vtkSpherePacker
+from spherepacking.backend import vtkSpherePacker
 from surfaces import (
     ball,
     blob,
@@ -416,7 +416,7 @@ def test_the_same_seed_gives_the_same_packing(rng):
 def test_the_threads_do_not_matter(rng):
     import importlib
 
-    from spherepacking._backend import VTK_ROOT
+    from spherepacking.backend import VTK_ROOT
 
     smp = importlib.import_module(f"{VTK_ROOT}.vtkCommonCore").vtkSMPTools
     mesh = blob(rng)

@@ -10,7 +10,7 @@ import pyvista as pv
 import spherepacking
 from arrays import packing_of
 from rays import Exact
-from spherepacking._backend import reference, vtkSpherePackingTracer
+from spherepacking.backend import reference, vtkSpherePackingTracer
 from test_tracer_rays import CASES
 
 STRUCTURES = {"none": 0, "grid": 1, "bvh": 2}
@@ -162,7 +162,7 @@ def test_an_explicit_off_axis_camera(rng):
     found = picture(tracer_of(packing_of(centers, radii), camera, size))
     matrix = camera.GetCompositeProjectionTransformMatrix(size[0] / size[1], -1, 1)
     matrix = np.array([[matrix.GetElement(i, j) for j in range(4)] for i in range(4)])
-    from spherepacking.bench import reference
+    from spherepacking.testing import reference
 
     y, x = np.mgrid[: size[1], : size[0]]
     rays = reference.pixel_rays(matrix, size, x.ravel(), y.ravel())

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from arrays import packing_of
 from rays import Exact, check, towards
-from spherepacking._backend import reference, vtkSpherePackingTracer
+from spherepacking.backend import reference, vtkSpherePackingTracer
 
 STRUCTURES = {"none": 0, "grid": 1, "bvh": 2}
 

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 import pyvista as pv
 import spherepacking
-from spherepacking.cli import main
+from spherepacking.cli.main import main
 
 COMMANDS = ("render", "info", "convert")
 
@@ -60,7 +60,7 @@ def test_help_imports_neither_vtk_nor_numpy():
     """They take most of a second."""
     code = """
 import sys
-from spherepacking.cli import main
+from spherepacking.cli.main import main
 main(["--help"])
 print([name for name in ("numpy", "pyvista", "cvista", "vtkmodules") if name in sys.modules])
 """
@@ -110,7 +110,7 @@ def test_a_bug_is_no_error_of_the_user(monkeypatch, file, error):
     def describe(_packing):
         raise error("bug")
 
-    monkeypatch.setattr("spherepacking._info.describe", describe)
+    monkeypatch.setattr("spherepacking.cli.info.describe", describe)
     with pytest.raises(error, match="bug"):
         main(["info", str(file)])
 

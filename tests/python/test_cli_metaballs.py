@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 import spherepacking
-from spherepacking.cli import main
+from spherepacking.cli.main import main
 
 
 @pytest.fixture

@@ -6,7 +6,7 @@ import sys
 
 import numpy as np
 import pytest
-from spherepacking.cli import main
+from spherepacking.cli.main import main
 
 
 @pytest.fixture
@@ -38,7 +38,7 @@ def test_stopped_later(file, monkeypatch, capsys):
     def describe(_packing):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("spherepacking._info.describe", describe)
+    monkeypatch.setattr("spherepacking.cli.info.describe", describe)
     assert main(["info", str(file)]) == 130
     assert capsys.readouterr().err == "spherepacking: stopped\n"
 

@@ -8,7 +8,7 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 import pytest
 import spherepacking
-from spherepacking.image import check_output
+from spherepacking.files.image import check_output
 
 pillow = pytest.importorskip("PIL.Image")  # a dependency of PyVista
 
@@ -111,7 +111,7 @@ def test_a_full_disk_when_the_picture_is_whole(tmp_path):
     code = f"""
 {FULL_DISK.split("pixels", maxsplit=1)[0]}
 from pathlib import Path
-from spherepacking._replace import replace_file
+from spherepacking.files.replace import replace_file
 try:
     replace_file(Path(sys.argv[1]), bytes(5000))
 except OSError as error:

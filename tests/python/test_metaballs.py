@@ -10,7 +10,7 @@ import pytest
 import pyvista as pv
 import spherepacking
 from spherepacking.bench.fields import exact_sums
-from spherepacking.bench.scenes import knot_tube
+from spherepacking.testing.scenes import knot_tube
 
 KERNELS = ("inverse", "inverse_square", "gaussian", "wyvill")
 

@@ -12,9 +12,8 @@ import numpy as np
 import pytest
 import pyvista as pv
 import spherepacking
-from spherepacking._pack_file import read_surface
-from spherepacking._ply import ends_early
-from spherepacking.cli import main
+from spherepacking.cli.main import main
+from spherepacking.files.surfaces import ends_early, read_surface
 
 
 @pytest.fixture
@@ -87,7 +86,7 @@ def test_ctrl_c_when_all_are_there(monkeypatch):
         yield
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("spherepacking._pack.show_progress", stopped)
+    monkeypatch.setattr("spherepacking.make.pack.show_progress", stopped)
     with pytest.warns(UserWarning, match="stopped after 20 of 20 spheres"):
         assert spherepacking.pack(pv.Cube(), 20).n_points == 20
 

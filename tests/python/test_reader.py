@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 import pyvista as pv
 import spherepacking
-from spherepacking._progress import progress_bar
-from spherepacking.readers import SpherePackingReader
+from spherepacking.files.readers import SpherePackingReader
+from spherepacking.vtk_tools import progress_bar
 
 TEXT = "0 0 0 1\n3.5 0 0.25 0.5\n"
 # Before, entry points named functions: pyvista.read used them, and nothing else of PyVista did.

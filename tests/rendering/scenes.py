@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 import pyvista as pv
-from spherepacking.bench import accuracy, reference
+from spherepacking.testing import accuracy, reference
 
 
 @dataclass

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 import spherepacking
 from scenes import Camera, draw_and_cast
-from spherepacking.bench import accuracy
-from spherepacking.bench.scenes import knot_tube
+from spherepacking.testing import accuracy
+from spherepacking.testing.scenes import knot_tube
 
 
 def check(centers, radii, camera, size=(400, 400), sphere_wrong=1e-4):

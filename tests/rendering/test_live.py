@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 import pyvista as pv
 import spherepacking
-from spherepacking._backend import vtkSpherePackingPicturePass
 from spherepacking.accessor import PackingAccessor
+from spherepacking.backend import vtkSpherePackingPicturePass
 
 SIZE = (160, 120)
 WORDS = {"samples": 4, "sky": (0.3, 0.9), "sun": (1, 0, 1)}
@@ -326,7 +326,7 @@ def test_refusals_change_nothing(scene, spheres):
 
 
 def test_a_pass_without_a_picture_draws_nothing(scene):
-    from spherepacking._live import _steps_with
+    from spherepacking.trace.live import _steps_with
 
     picture = vtkSpherePackingPicturePass()
     scene.renderer.SetPass(_steps_with(picture))

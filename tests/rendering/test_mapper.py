@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 import pyvista as pv
 from scenes import Camera, draw_and_cast, make_packing, show
-from spherepacking._backend import VTK_ROOT, vtkOpenGLSpherePackingMapper
-from spherepacking.bench import accuracy
+from spherepacking.backend import VTK_ROOT, vtkOpenGLSpherePackingMapper
+from spherepacking.testing import accuracy
 
 ROW = np.array([[-2.5, 0.0, 0.0], [0.0, 0.0, 0.0], [2.5, 0.0, 0.0]])
 FRONT = Camera((0, 0, 20), up=(0, 1, 0), parallel_scale=4.0)

@@ -103,7 +103,7 @@ def write_chart(rows: Sequence[Row], path: Path) -> None:
     OSError
         If the picture cannot be written.
     """
-    from ..image import write_image
+    from ..files.image import write_image
 
     looks = _looks(rows)
     plotter = pv.Plotter(off_screen=True, shape=(2, 3), window_size=SIZE, border=False)

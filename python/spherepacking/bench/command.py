@@ -7,20 +7,20 @@ from typing import TYPE_CHECKING
 
 from rich.console import Console
 
-from .._replace import check_replaceable, replace_file
-from ..image import check_output
+from ..files.image import check_output
+from ..files.replace import check_replaceable, replace_file
 from . import fields
 from .chart import write_chart
 from .measure import measure
 from .table import csv_of, table_of
-from .techniques import everything
+from .technique import everything
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
     from pathlib import Path
 
     from .measure import Row
-    from .techniques import Technique
+    from .technique import Technique
 
 
 def chosen(only: Sequence[str] | None) -> tuple[list[Technique], list[str]]:

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pyvista as pv
 
-from .techniques import Seen, Technique
+from .technique import Seen, Technique
 
 _RGBA = 4  # as VTK counts them
 PACKETS = (1, 4, 8, 16)
@@ -18,7 +18,7 @@ PACKETS = (1, 4, 8, 16)
 
 
 def _load() -> ctypes.CDLL:
-    path = Path(__file__).parents[1] / "libspherepacking_embree.so"
+    path = Path(__file__).parents[1] / "lib" / "libspherepacking_embree.so"
     try:
         library = ctypes.CDLL(str(path))
     except OSError as error:

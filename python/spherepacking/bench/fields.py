@@ -14,7 +14,7 @@ from rich import box
 from rich.table import Table
 
 from ..accessor import PackingAccessor
-from .scenes import knot_tube
+from ..testing.scenes import knot_tube
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Sequence

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..accessor import PackingAccessor
-from .techniques import LIGHT
+from .technique import LIGHT
 
 if TYPE_CHECKING:
     import pyvista as pv

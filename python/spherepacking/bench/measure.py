@@ -10,9 +10,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..accessor import PackingAccessor
-from . import light, reference
-from .scenes import camera_of_all, depths_of, knot_tube
-from .techniques import label_of
+from ..testing import reference
+from ..testing.scenes import camera_of_all, depths_of, knot_tube
+from . import light
+from .technique import label_of
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Sequence
@@ -20,7 +21,7 @@ if TYPE_CHECKING:
     import pyvista as pv
     from numpy.typing import NDArray
 
-    from .techniques import Seen, Subject, Technique
+    from .technique import Seen, Subject, Technique
 
 ONCE = 100_000
 """Spheres with which techniques are measured that take long, if there are so many."""

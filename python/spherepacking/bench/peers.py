@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pyvista as pv
 
-from .techniques import Technique, Window
+from .technique import Technique, Window
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -33,7 +33,7 @@ def add_discs(
 def _add_sphere_mapper(
     plotter: pv.Plotter, packing: pv.PolyData, colors: NDArray[np.uint8] | None
 ) -> None:
-    from .._backend import vtkOpenGLSphereMapper
+    from ..backend import vtkOpenGLSphereMapper
 
     mapper = vtkOpenGLSphereMapper()
     mapper.SetScaleArray("radius")
@@ -46,7 +46,7 @@ def _add_sphere_mapper(
 def _add_meshes(
     plotter: pv.Plotter, packing: pv.PolyData, colors: NDArray[np.uint8] | None
 ) -> None:
-    from .._backend import vtkGlyph3DMapper
+    from ..backend import vtkGlyph3DMapper
 
     mapper = vtkGlyph3DMapper()
     mapper.SetSourceData(pv.Sphere(radius=1.0, theta_resolution=8, phi_resolution=8))
@@ -80,7 +80,7 @@ def _add(
 
 def vtk() -> list[Technique]:
     """Return the mappers of the VTK that PyVista runs on."""
-    from .._backend import vtkOpenGLSphereMapper
+    from ..backend import vtkOpenGLSphereMapper
 
     ways = {"VTK discs": add_discs, "VTK meshes of 8 × 8": _add_meshes}
     if vtkOpenGLSphereMapper is not None:

@@ -1,0 +1,144 @@
+"""The part of the plotter component ``packing`` that shows metaballs."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import pyvista as pv
+
+from .. import checks as arguments
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from numpy.typing import ArrayLike
+    from pyvista.plotting._typing import ColorLike
+
+    from .actor import Metaballs
+
+
+class MetaballsOfPlotter:
+    """Adds surfaces of metaballs to the scene."""
+
+    plotter: pv.BasePlotter
+
+    def add_metaballs(
+        self,
+        packing: pv.PolyData,
+        threshold: float = 1.0,
+        *,
+        dimensions: Sequence[int] | int | None = None,
+        spacing: Sequence[float] | float | None = None,
+        kernel: str = "inverse",
+        weights: ArrayLike | None = None,
+        count: int | None = None,
+        relative_error: float = 1e-3,
+        bounds: Sequence[float] | None = None,
+        coloring: str | None = "blend",
+        scalars: str | ArrayLike | None = None,
+        rgb: bool | None = None,
+        cmap: str | list[ColorLike] | pv.LookupTable | None = None,
+        clim: Sequence[float] | float | None = None,
+        log_scale: bool = False,
+        color: ColorLike | None = None,
+        opacity: float = 1.0,
+        specular: float = 0.3,
+        specular_power: float = 20.0,
+        name: str | None = None,
+        pickable: bool = True,
+        reset_camera: bool | None = None,
+        render: bool = True,
+    ) -> Metaballs:
+        """Add the surface on which the field of the spheres has a value.
+
+        Parameters
+        ----------
+        packing : pyvista.PolyData
+            Centres (n, 3) and point array ``radius`` (n,).
+        threshold : float, default: 1.0
+            The value, above 0.
+        dimensions, spacing, kernel, weights, count, relative_error, bounds, coloring, scalars, \
+        rgb, cmap, clim, log_scale, color
+            As in ``packing.packing.metaballs``.
+        opacity : float, default: 1.0
+            From 0 to 1.
+        specular : float, default: 0.3
+            Strength of highlights, from 0 to 1.
+        specular_power : float, default: 20.0
+            Sharpness of highlights, from 0 to 128.
+        name : str, optional
+            Name of the actor. An actor of that name is replaced.
+        pickable : bool, default: True
+            Whether it can be picked.
+        reset_camera : bool, optional
+            Let the camera see all, as in :meth:`pyvista.Plotter.add_actor`.
+        render : bool, default: True
+            Show it at once, if there is a window.
+
+        Returns
+        -------
+        Metaballs
+            Has the ``actor`` and the ``surface``, ``threshold``, ``weights`` and ``count``, which
+            can be set, and the method ``update`` for changes of the packing.
+
+        Raises
+        ------
+        KeyError, TypeError, ValueError
+            If an argument is none; the plotter is as it was.
+
+        Examples
+        --------
+        >>> import pyvista as pv
+        >>> import spherepacking
+        >>> plotter = pv.Plotter(off_screen=True)
+        >>> balls = plotter.packing.add_metaballs(
+        ...     spherepacking.apollonian(3), kernel="wyvill", dimensions=48
+        ... )
+        >>> balls.threshold = 0.8
+        >>> plotter.close()
+        """
+        from .actor import Metaballs
+
+        plotter = self.plotter
+        opacity = arguments.number_of("opacity", opacity, 0.0, 1.0)
+        specular = arguments.number_of("specular", specular, 0.0, 1.0)
+        power = arguments.number_of("specular_power", specular_power, 0.0, 128.0)
+        plain = pv.Color(arguments.color_of("color", color), default_color=pv.global_theme.color)
+        look = {
+            "scalars": scalars,
+            "rgb": rgb,
+            "cmap": cmap,
+            "clim": clim,
+            "log_scale": log_scale,
+            "color": color,
+        }
+        words = {
+            "dimensions": 128 if dimensions is None and spacing is None else dimensions,
+            "spacing": spacing,
+            "kernel": kernel,
+            "weights": weights,
+            "count": count,
+            "relative_error": relative_error,
+            "bounds": bounds,
+        }
+        balls = Metaballs(arguments.packing_of(packing), threshold, coloring, look, words)
+        mapper = pv.DataSetMapper(balls.surface)
+        mapper.SetScalarModeToUsePointFieldData()
+        mapper.SelectColorArray("color")
+        mapper.SetColorModeToDirectScalars()
+        mapper.scalar_visibility = coloring is not None and color is None
+        actor = balls.actor = pv.Actor(mapper=mapper)
+        actor.prop.color, actor.prop.opacity = plain, opacity
+        actor.prop.specular, actor.prop.specular_power = specular, power
+        actor.prop.interpolation = "phong"
+        plotter.add_actor(
+            actor,
+            name=name,
+            pickable=bool(pickable),
+            reset_camera=reset_camera,
+            render=False,
+            remove_existing_actor=name is not None,
+        )
+        if render:
+            plotter.render()
+        return balls
