@@ -33,7 +33,7 @@ import numpy as np
 from bars import Bars
 from rich.console import Console
 from spherepacking.accessor import PackingAccessor
-from spherepacking.bench import fields
+from spherepacking.testing import fields
 from spherepacking.testing.scenes import knot_tube
 
 ERROR = 1e-3

@@ -1,13 +1,14 @@
-"""What ``plotter.packing.add`` is given, checked before the plotter changes: spheres and actor.
+"""Checks of arguments.
 
-Every check raises one exception whose message starts with the name of the argument.
+Every check returns the argument in the form that is used, or raises one exception whose message
+starts with the argument's name and says what was found and what was expected.
 """
 
 from __future__ import annotations
 
 import numbers
 import operator
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple, overload
 
 import numpy as np
 import pyvista as pv
@@ -16,15 +17,51 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from numpy.typing import ArrayLike
+    from pyvista import MatrixLike, TransformLike
     from pyvista.plotting._typing import ColorLike
-    from pyvista.plotting.themes import Theme
 
-# Within these the mapper's squares are finite and not zero.
-_SCALES = (1e-150, 1e150)
+
+class Limits(NamedTuple):
+    """The least and the largest value that is taken."""
+
+    low: float
+    high: float
+
+
+# The limits of all numbers that have any but those of their meaning or type, and why.
+
+SCALE_LIMITS = Limits(1e-150, 1e150)
+"""Scale of a transformation: the mapper squares it, in double precision."""
+EXTENT_LIMITS = Limits(1e-15, 1e15)
+"""Length of a packing on the command line: OpenGL squares lengths, in single precision."""
+FINEST_EXTENT = 1e-13
+"""Length of a packing over its distance from the origin: double precision has 16 digits."""
+RADIANCE_LIMITS = Limits(0.0, 1e15)
+"""Radiance of sky and sun: the variance squares it, in single precision."""
+EXPOSURE_LIMITS = Limits(-100.0, 100.0)
+"""Exposure: 2 to this power is a number in single precision."""
+WEIGHT_LIMITS = Limits(0.0, 1e20)
+"""Weights of metaballs: sums of many are numbers in single precision."""
+RELATIVE_ERROR_LIMITS = Limits(2e-5, 0.5)
+"""Relative error of a field, if not 0: expansions up to the order that there is reach no less."""
+ENDLESS = 1e290
+"""Seconds, or a noise, from which on a limit is none: C++ adds to it in double precision."""
+LARGEST_ID = 2**31 - 1
+"""Any count: an int of C++."""
+LARGEST_SEED = 2**32 - 1
+"""Seed of the path tracer: an unsigned int of C++."""
+LARGEST_TRACED_SIDE = 65536
+"""Side of a traced picture, in pixels: their number is still one that fits into memory."""
+LARGEST_DRAWN_SIDE = 16384
+"""Side of a drawn picture, in pixels: what every implementation of OpenGL has for a texture."""
+LARGEST_SPECULAR_POWER = 128.0
+"""Specular power: as in VTK."""
+STEP_LIMITS = Limits(0.001, 60.0)
+"""Seconds of a step of a live picture: a tile takes no less, and nobody waits longer."""
 
 
 def number_of(name: str, value: float, low: float, high: float) -> float:
-    """`value` as a float from `low` to `high`, or a ValueError; texts and truth values are none."""
+    """`value` as a float from `low` to `high`, or a ValueError; neither text nor truth value."""
     real = isinstance(value, numbers.Real) and not isinstance(value, bool)
     try:
         number = float(value) if real else np.nan
@@ -43,7 +80,7 @@ def above_zero(name: str, value: float) -> float:
         raise ValueError(f"{name}: found {value!r}, expected a number above 0") from None
 
 
-def count_of(name: str, value: int, least: int = 1, most: int = 2**31 - 1) -> int:
+def count_of(name: str, value: int, least: int = 1, most: int = LARGEST_ID) -> int:
     """`value` as an integer from `least` to `most`, or a TypeError or ValueError."""
     try:
         count = None if isinstance(value, bool) else operator.index(value)
@@ -72,6 +109,12 @@ def size_of(name: str, value: Sequence[int], most: int) -> tuple[int, int]:
     return count_of(name, width, most=most), count_of(name, height, most=most)
 
 
+@overload
+def color_of(name: str, value: ColorLike) -> pv.Color: ...
+@overload
+def color_of(name: str, value: ColorLike | None) -> pv.Color | None: ...
+@overload
+def color_of(name: str, value: ColorLike | bool | None) -> pv.Color | bool | None: ...
 def color_of(name: str, value: ColorLike | bool | None) -> pv.Color | bool | None:
     """`value` as a colour, or a ValueError; None and truth values stay as they are."""
     if value is None or isinstance(value, bool):
@@ -98,7 +141,8 @@ def storable(name: str, values: ArrayLike) -> np.ndarray:
         return double
     if array.dtype == np.float16:
         return array.astype(np.float32)
-    # PyVista would swap the bytes of the caller's array.
+    # Upstream: PyVista 0.49's DataSetAttributes swaps the bytes of a big-endian array in place, in
+    # the caller's memory.
     return array.astype(array.dtype.newbyteorder("="), copy=False)
 
 
@@ -111,77 +155,7 @@ def per_sphere(name: str, values: ArrayLike, count: int) -> np.ndarray:
     return array
 
 
-def no_such_array(argument: str, name: str, packing: pv.PolyData) -> KeyError:
-    """Make the error that says which arrays there are."""
-    there = ", ".join(packing.point_data.keys()) or "none"
-    hint = " (there is a cell array of that name)" if name in packing.cell_data else ""
-    return KeyError(
-        f"{argument}: the packing has no point array {name!r}{hint}, its point arrays are: {there}"
-    )
-
-
-def packing_of(packing: object) -> pv.PolyData:
-    """`packing` as a PolyData, or a TypeError."""
-    wrapped = pv.wrap(packing) if hasattr(packing, "IsA") else packing
-    if not isinstance(wrapped, pv.PolyData):
-        raise TypeError(
-            f"packing: found a {type(packing).__name__}, expected a PolyData whose points are the "
-            "centres of the spheres"
-        )
-    return wrapped
-
-
-def radii_of(packing: pv.PolyData, radius: str | ArrayLike) -> tuple[pv.PolyData, str]:
-    """Check the radii and return the packing to draw and the name of its radius array.
-
-    Parameters
-    ----------
-    packing : pyvista.PolyData
-        Centres (n, 3).
-    radius : str or array_like
-        Name of a point array, n radii, or one radius for all spheres.
-
-    Returns
-    -------
-    tuple[pyvista.PolyData, str]
-        `packing` itself when `radius` is a name, else a shallow copy that has the array.
-
-    Raises
-    ------
-    KeyError
-        If there is no array of that name.
-    TypeError
-        If the radii are no real numbers.
-    ValueError
-        If there is not one radius a sphere, or one is negative, infinite or NaN, or so is a centre.
-    """
-    from .backend import vtkSpherePackingInput
-
-    name = radius
-    if not isinstance(radius, str):
-        values = np.asarray(radius)
-        if values.dtype.kind not in "iuf":
-            raise TypeError(
-                f"radius: found {values.dtype} values, expected real numbers or the name of a "
-                "point array"
-            )
-        values = storable("radius", values)
-        if values.ndim == 0:
-            values = np.full(packing.n_points, float(values))
-        values = per_sphere("radius", values, packing.n_points)
-        name = "radius"
-        packing = packing.copy(deep=False)
-        packing.point_data[name] = values
-    elif packing.n_points and radius not in packing.point_data:
-        raise no_such_array("radius", radius, packing)
-    check = vtkSpherePackingInput()
-    if check.FindRadii(packing, name) is None and (message := check.GetMessage()):
-        numeric = packing.point_data[name].dtype.kind in "iuf"
-        raise (ValueError if numeric else TypeError)(f"radius: {message}")
-    return packing, name
-
-
-def similarity_of(matrix: object) -> np.ndarray:
+def similarity_of(matrix: TransformLike | MatrixLike[float] | None) -> np.ndarray:
     """Check a transformation: rotation, mirroring, translation and one scale keep spheres round.
 
     Parameters
@@ -213,7 +187,7 @@ def similarity_of(matrix: object) -> np.ndarray:
         array = array / unit
     finite = np.isfinite(array).all()
     scales = np.linalg.svd(array[:3, :3], compute_uv=False) if finite else np.full(3, np.inf)
-    low, high = _SCALES
+    low, high = SCALE_LIMITS
     if not low <= scales[-1] <= scales[0] <= high:
         raise ValueError(
             f"user_matrix: found a scale of {scales[-1]:g}, expected {low:g} to {high:g}"
@@ -226,40 +200,3 @@ def similarity_of(matrix: object) -> np.ndarray:
             "allow rotation, translation and uniform scale"
         )
     return array
-
-
-def property_of(
-    theme: Theme,
-    lighting: bool | None,
-    ambient: float | None,
-    diffuse: float | None,
-    specular: float | None,
-    specular_power: float | None,
-) -> pv.Property:
-    """Make the material of spheres, or a ValueError; what is None is the theme's."""
-    shares = {"ambient": ambient, "diffuse": diffuse, "specular": specular}
-    for name, value in shares.items():
-        if value is not None:
-            number_of(name, value, 0.0, 1.0)
-    if not (lighting is None or isinstance(lighting, (bool, np.bool_))):
-        raise ValueError(f"lighting: found {lighting!r}, expected True, False or None")
-    if specular_power is not None:
-        number_of("specular_power", specular_power, 0.0, 128.0)
-    return pv.Property(
-        theme=theme,
-        style="surface",
-        interpolation="Phong",
-        show_edges=False,
-        lighting=lighting,
-        specular_power=specular_power,
-        **shares,
-    )
-
-
-def check_scene(plotter: pv.BasePlotter, name: str | None) -> None:
-    """Raise a ValueError if the plotter cannot show spheres or `name` is no name of an actor."""
-    scale = plotter.renderer.scale
-    if len(set(scale)) > 1:
-        raise ValueError(f"the plotter's scale: found {scale}, expected the same for all axes")
-    if name is not None and not (isinstance(name, str) and name):
-        raise ValueError(f"name: found {name!r}, expected a text that is not empty, or None")

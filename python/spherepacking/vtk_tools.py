@@ -1,4 +1,4 @@
-"""Errors and progress of VTK algorithms, as Python has them."""
+"""Errors and progress of VTK algorithms, the way Python has them."""
 
 from __future__ import annotations
 
@@ -6,70 +6,132 @@ import signal
 import threading
 import time
 from contextlib import contextmanager
-from typing import TYPE_CHECKING
-
-from .files.errors import PackingFileError
+from typing import TYPE_CHECKING, Protocol
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
+    from types import FrameType, TracebackType
+    from typing import Self
+
+    from rich.progress import Progress, TaskID
+
+    from .backend import vtkAlgorithm
+
+
+class ReportingAlgorithm(Protocol):
+    """An algorithm of this package: a vtkAlgorithm that keeps what it reported last."""
+
+    def GetErrorMessage(self) -> str | None:
+        """Return the sentence that says what went wrong; empty or None if nothing did."""
+
+    def Update(self) -> None:
+        """Run it, unless its output is up to date."""
 
 
 class ErrorLog:
-    """Collects what VTK objects report through ``vtkErrorMacro``.
+    """Collects what an algorithm reports through ``vtkErrorMacro`` while a block runs.
 
-    VTK hands an error to the observers of the object that reports it, and prints it only when
-    there are none. The pipeline's executive adds an error of its own to each failed update, so
-    it is observed as well.
+    VTK hands an error to the observers of the object that reports it, and prints it only when there
+    are none. The pipeline's executive adds an error of its own to each failed update, so it is
+    observed as well.
 
     Parameters
     ----------
-    *algorithms : vtkAlgorithm
-        Objects to listen to for as long as they live.
+    algorithm : vtkAlgorithm
+        Object to observe.
+
+    Attributes
+    ----------
+    messages : list of str
+        What has been reported.
     """
 
     # Tells VTK's Python layer to pass the text on.
     CallDataType = "string0"
 
-    def __init__(self, *algorithms: object) -> None:
+    def __init__(self, algorithm: vtkAlgorithm) -> None:
         self.messages: list[str] = []
-        for algorithm in algorithms:
-            algorithm.AddObserver("ErrorEvent", self)
-            algorithm.GetExecutive().AddObserver("ErrorEvent", self)
+        self._sources = (algorithm, algorithm.GetExecutive())
+        self._tags: list[int] = []
 
-    def listen_alone(self, algorithm: object) -> None:
-        """Stop all others from hearing the errors of one of the objects."""
-        algorithm.RemoveObservers("ErrorEvent")
-        algorithm.AddObserver("ErrorEvent", self)
+    def __enter__(self) -> Self:
+        self._tags = [source.AddObserver("ErrorEvent", self) for source in self._sources]
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        traceback: TracebackType | None,
+    ) -> None:
+        for source, tag in zip(self._sources, self._tags, strict=True):
+            source.RemoveObserver(tag)
 
     def __call__(self, _caller: object, _event: str, text: str) -> None:
-        """Take an error, as VTK's observer."""
+        """Collect an error; VTK calls this."""
         self.messages.append(text.strip())
 
-    def raise_if_any(self, message: str | None) -> None:
-        """Raise PackingFileError with `message`, else with what has come since the last call."""
-        collected = "\n".join(self.messages)
-        self.messages.clear()
-        if message or collected:
-            raise PackingFileError(message or collected)
+
+@contextmanager
+def errors_raised(
+    algorithm: ReportingAlgorithm, error: type[Exception] = ValueError
+) -> Iterator[None]:
+    """Raise what an algorithm reports in the block, instead of printing it.
+
+    Parameters
+    ----------
+    algorithm : vtkAlgorithm
+        Algorithm of this package that works in the block.
+    error : type, default: ValueError
+        Kind of exception. Its message is the algorithm's own sentence, or else VTK's text.
+    """
+    with ErrorLog(algorithm) as log:
+        yield
+    message = algorithm.GetErrorMessage() or "\n".join(log.messages)
+    if message:
+        raise error(message)
+
+
+def update(algorithm: ReportingAlgorithm, label: str, *, progress: bool) -> None:
+    """Run an algorithm of this package.
+
+    Parameters
+    ----------
+    algorithm : vtkAlgorithm
+        Algorithm to update.
+    label : str
+        Text in front of the progress bar.
+    progress : bool
+        Show a progress bar.
+
+    Raises
+    ------
+    ValueError
+        If the algorithm reports an error.
+    KeyboardInterrupt
+        If Ctrl-C was pressed.
+    """
+    with errors_raised(algorithm), progress_bar(algorithm, label, 0.0 if progress else None):
+        algorithm.Update()
 
 
 class _Bar:
     """Observer of ProgressEvent that draws on stderr once the work has taken `delay` seconds."""
 
-    def __init__(self, label: str, delay: float) -> None:
+    def __init__(self, label: str, delay: float | None) -> None:
         self.label = label
-        self.show_after = time.monotonic() + delay
+        self.show_after = float("inf") if delay is None else time.monotonic() + delay
         # A bar that was not asked for leaves nothing behind.
-        self.transient = delay > 0.0
-        self.progress = None
-        self.task = None
+        self.transient = delay is None or delay > 0.0
+        self.progress: Progress | None = None
+        self.task: TaskID | None = None
         self.interrupted = False
 
-    def __call__(self, algorithm: object, _event: str) -> None:
+    def __call__(self, algorithm: vtkAlgorithm, _event: str) -> None:
         if self.interrupted:
             algorithm.SetAbortExecute(1)
-            return  # VTK says that all is done when it stops
-        if self.progress is None:
+            return  # VTK reports a progress of 1 when it stops
+        if self.progress is None or self.task is None:
             if time.monotonic() < self.show_after:
                 return
             from rich.console import Console
@@ -80,8 +142,10 @@ class _Bar:
             self.progress.start()
         self.progress.update(self.task, completed=algorithm.GetProgress())
 
-    def interrupt(self, _signal: int, _frame: object) -> None:
-        # Python code cannot be left by an exception while VTK calls it: ask VTK to stop first.
+    def interrupt(self, _signal: int, _frame: FrameType | None) -> None:
+        # Upstream: VTK's vtkPythonCommand ends the process ("Caught a Ctrl-C within python, exiting
+        # program") when KeyboardInterrupt leaves an observer: https://github.com/marcomusy/vedo/issues/1101.
+        # So the algorithm is asked to stop, and the exception comes after that.
         self.interrupted = True
 
     def stop(self) -> None:
@@ -90,8 +154,8 @@ class _Bar:
 
 
 @contextmanager
-def progress_bar(algorithm: object, label: str, delay: float = 0.0) -> Iterator[None]:
-    """Show the progress of `algorithm` on stderr while the block runs.
+def progress_bar(algorithm: vtkAlgorithm, label: str, delay: float | None = 0.0) -> Iterator[None]:
+    """Let Ctrl-C stop an algorithm that runs in the block, and show its progress on stderr.
 
     Parameters
     ----------
@@ -99,8 +163,8 @@ def progress_bar(algorithm: object, label: str, delay: float = 0.0) -> Iterator[
         Algorithm that is updated in the block.
     label : str
         Text in front of the bar.
-    delay : float, default: 0.0
-        Seconds before the bar appears, so that short work shows none.
+    delay : float, optional
+        Seconds before the bar appears, so that short work shows none; None for no bar.
 
     Raises
     ------

@@ -9,8 +9,9 @@ import pytest
 import pyvista as pv
 import spherepacking
 from spherepacking.bench import measure, table
+from spherepacking.bench.catalog import everything, own
 from spherepacking.bench.measure import Expected, color_error, errors_of, expect, take_turns
-from spherepacking.bench.technique import Seen, Technique, everything, own
+from spherepacking.bench.technique import Seen, Technique
 from spherepacking.testing.scenes import camera_of_all, depths_of, knot_tube
 
 SIZE = (120, 90)

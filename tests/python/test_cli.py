@@ -392,7 +392,7 @@ ERRORS = {
     "paint": "paint",
     "info {good} --nonsense": "--nonsense",
     "info {none}": "none.spheres",
-    "info {folder}": "is a directory",
+    "info {folder}": "found a directory",
     "info {bad}": "bad.spheres.*line 2",
     "render {bad} -o {png}": "bad.spheres.*line 2",
     "render {good} -o {png} --zoom big": "big",
@@ -420,7 +420,7 @@ ERRORS = {
     "render {good} -o {png} --technique raycast --samples 0": "samples: found 0, expected",
     "render {good} -o {png} --technique painting": "painting",
     "render {good} -o {png} --technique grid --cuts -1": "cuts: found -1, expected",
-    "render {good} -o {png} --camera 9 0 0 --focal 9 0 0": "the camera stands where it looks at",
+    "render {good} -o {png} --camera 9 0 0 --focal 9 0 0": "the position 9 0 0 at the focal",
     "render {good} -o {png} --camera 9 0 0 --focal 0 0 0 --up 1 0 0": "--up: found the direction",
     "render {good} -o {folder}/a.nonsense": "a.nonsense",
     "render {good} -o {folder}/no/a.png": "there is no folder",
@@ -433,7 +433,7 @@ ERRORS = {
 def test_no_name_is_no_file(capfd):
     assert main(["info", ""]) == 2
     assert re.fullmatch(
-        "spherepacking: .*is a directory, expected a file .*\n", capfd.readouterr().err
+        "spherepacking: .*found a directory, expected a file .*\n", capfd.readouterr().err
     )
 
 

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 import pyvista as pv
 import spherepacking
-from spherepacking.bench.fields import exact_sums
+from spherepacking.testing.fields import exact_sums
 from spherepacking.testing.scenes import knot_tube
 
 KERNELS = ("inverse", "inverse_square", "gaussian", "wyvill")

@@ -326,10 +326,10 @@ def test_refusals_change_nothing(scene, spheres):
 
 
 def test_a_pass_without_a_picture_draws_nothing(scene):
-    from spherepacking.trace.live import _steps_with
+    from spherepacking.trace.live import steps_with
 
     picture = vtkSpherePackingPicturePass()
-    scene.renderer.SetPass(_steps_with(picture))
+    scene.renderer.SetPass(steps_with(picture))
     assert (drawn(scene) == 0).all()
     picture.SetPicture(pv.ImageData(dimensions=(4, 4, 1)))
     assert (drawn(scene) == 0).all()

@@ -1,14 +1,15 @@
 """The VTK classes of this package, on the VTK that PyVista runs on.
 
-The only module that imports VTK. Two VTKs in one process do not share objects, so the VTK that
-the extension was linked with at build time and the VTK behind PyVista have to be the same one.
-Import from here inside functions, so that a mismatch surfaces as an ImportError where it is
-used, rather than as PyVista's warning about a plugin that failed to load.
+The only place that imports VTK. Two VTKs in one process do not share objects, so the VTK that the
+extension was linked with at build time and the VTK behind PyVista have to be the same one. Import
+from here inside functions, so that a mismatch surfaces as an ImportError where it is used, rather
+than as PyVista's warning about a plugin that failed to load.
 """
 
 from __future__ import annotations
 
 import importlib
+from typing import TYPE_CHECKING
 
 import pyvista as pv
 
@@ -41,7 +42,7 @@ def _check(built: str, running: str) -> None:
     )
 
 
-def _load(name: str) -> object:
+def _load(name: str) -> ModuleType:
     """Import one of the wrapped modules that the build put into the package."""
     try:
         return importlib.import_module(f"..{name}", __package__)
@@ -54,35 +55,77 @@ def _load(name: str) -> object:
 
 _check(VTK_ROOT, _pyvista_root())
 
-# The rendering backend registers its object factory overrides when it is imported, and the
-# extension's libraries find VTK's through it.
-_opengl = importlib.import_module(f"{VTK_ROOT}.vtkRenderingOpenGL2")
-_core = _load("vtkSpherePackingCore")
-_rendering = _load("vtkSpherePackingRendering")
+if TYPE_CHECKING:
+    from types import ModuleType
 
-# How a number comes back from a C++ reference.
-reference = importlib.import_module(f"{VTK_ROOT}.vtkCommonCore").reference
-vtkCamera = importlib.import_module(f"{VTK_ROOT}.vtkRenderingCore").vtkCamera
-vtkMetaballField = _core.vtkMetaballField
-vtkSpherePacker = _core.vtkSpherePacker
-vtkSpherePackingBVH = _core.vtkSpherePackingBVH
-vtkSpherePackingGrid = _core.vtkSpherePackingGrid
-vtkSpherePackingInput = _core.vtkSpherePackingInput
-vtkSpherePackingPathTracer = _core.vtkSpherePackingPathTracer
-vtkSpherePackingReader = _core.vtkSpherePackingReader
-vtkSpherePackingTracer = _core.vtkSpherePackingTracer
-vtkSpherePackingWriter = _core.vtkSpherePackingWriter
-vtkDataObject = importlib.import_module(f"{VTK_ROOT}.vtkCommonDataModel").vtkDataObject
-vtkStreamingDemandDrivenPipeline = importlib.import_module(
-    f"{VTK_ROOT}.vtkCommonExecutionModel"
-).vtkStreamingDemandDrivenPipeline
-vtkFlyingEdges3D = importlib.import_module(f"{VTK_ROOT}.vtkFiltersCore").vtkFlyingEdges3D
-vtkGlyph3DMapper = importlib.import_module(f"{VTK_ROOT}.vtkRenderingCore").vtkGlyph3DMapper
-# Stock VTK has it, cvista does not.
-vtkOpenGLSphereMapper = getattr(_opengl, "vtkOpenGLSphereMapper", None)
-vtkOpenGLSpherePackingMapper = _rendering.vtkOpenGLSpherePackingMapper
-vtkSpherePackingPicturePass = _rendering.vtkSpherePackingPicturePass
-vtkOpaquePass = _opengl.vtkOpaquePass
-vtkRenderPassCollection = _opengl.vtkRenderPassCollection
-vtkRenderStepsPass = _opengl.vtkRenderStepsPass
-vtkSequencePass = _opengl.vtkSequencePass
+    # Stock VTK's stubs, since cvista brings none; its classes are the same. Some are here for
+    # signatures alone.
+    from vtkmodules.vtkCommonCore import reference, vtkDataArray
+    from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData
+    from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkStreamingDemandDrivenPipeline
+    from vtkmodules.vtkFiltersCore import vtkFlyingEdges3D
+    from vtkmodules.vtkRenderingCore import (
+        vtkCamera,
+        vtkGlyph3DMapper,
+        vtkMapper,
+        vtkRenderPass,
+    )
+    from vtkmodules.vtkRenderingOpenGL2 import (
+        vtkOpaquePass,
+        vtkOpenGLSphereMapper,
+        vtkRenderPassCollection,
+        vtkRenderStepsPass,
+        vtkSequencePass,
+    )
+
+    from ..vtkSpherePackingCore import (
+        vtkMetaballField,
+        vtkSpherePacker,
+        vtkSpherePackingBoxAlgorithm,
+        vtkSpherePackingBVH,
+        vtkSpherePackingGrid,
+        vtkSpherePackingInput,
+        vtkSpherePackingPathTracer,
+        vtkSpherePackingReader,
+        vtkSpherePackingTracer,
+        vtkSpherePackingWriter,
+    )
+    from ..vtkSpherePackingRendering import (
+        vtkOpenGLSpherePackingMapper,
+        vtkSpherePackingPicturePass,
+    )
+else:
+    # The rendering backend registers its object factory overrides when it is imported, and the
+    # extension's libraries find VTK's through it.
+    _opengl = importlib.import_module(f"{VTK_ROOT}.vtkRenderingOpenGL2")
+    vtkOpaquePass = _opengl.vtkOpaquePass
+    # Stock VTK has it, cvista does not.
+    vtkOpenGLSphereMapper = getattr(_opengl, "vtkOpenGLSphereMapper", None)
+    vtkRenderPassCollection = _opengl.vtkRenderPassCollection
+    vtkRenderStepsPass = _opengl.vtkRenderStepsPass
+    vtkSequencePass = _opengl.vtkSequencePass
+
+    # How a number comes back from a C++ reference.
+    reference = importlib.import_module(f"{VTK_ROOT}.vtkCommonCore").reference
+    vtkDataObject = importlib.import_module(f"{VTK_ROOT}.vtkCommonDataModel").vtkDataObject
+    vtkStreamingDemandDrivenPipeline = importlib.import_module(
+        f"{VTK_ROOT}.vtkCommonExecutionModel"
+    ).vtkStreamingDemandDrivenPipeline
+    vtkFlyingEdges3D = importlib.import_module(f"{VTK_ROOT}.vtkFiltersCore").vtkFlyingEdges3D
+    _rendering_core = importlib.import_module(f"{VTK_ROOT}.vtkRenderingCore")
+    vtkCamera = _rendering_core.vtkCamera
+    vtkGlyph3DMapper = _rendering_core.vtkGlyph3DMapper
+
+    _core = _load("vtkSpherePackingCore")
+    vtkMetaballField = _core.vtkMetaballField
+    vtkSpherePacker = _core.vtkSpherePacker
+    vtkSpherePackingBVH = _core.vtkSpherePackingBVH
+    vtkSpherePackingGrid = _core.vtkSpherePackingGrid
+    vtkSpherePackingInput = _core.vtkSpherePackingInput
+    vtkSpherePackingPathTracer = _core.vtkSpherePackingPathTracer
+    vtkSpherePackingReader = _core.vtkSpherePackingReader
+    vtkSpherePackingTracer = _core.vtkSpherePackingTracer
+    vtkSpherePackingWriter = _core.vtkSpherePackingWriter
+    _rendering = _load("vtkSpherePackingRendering")
+    vtkOpenGLSpherePackingMapper = _rendering.vtkOpenGLSpherePackingMapper
+    vtkSpherePackingPicturePass = _rendering.vtkSpherePackingPicturePass

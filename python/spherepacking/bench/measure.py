@@ -36,7 +36,7 @@ class Row:
     technique: str
     structure: str
     rays: int
-    """A pixel."""
+    """Rays or samples per pixel."""
     spheres: int
     seconds: float
     """A frame, the median."""
@@ -217,7 +217,7 @@ def _rows(
     size: tuple[int, int],
     expected: Expected,
 ) -> list[Row]:
-    """One row a technique."""
+    """One row per technique."""
     exact = bright = None
     rows = []
     for technique, subject, own in zip(techniques, subjects, times, strict=True):

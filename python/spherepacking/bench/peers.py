@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pyvista as pv
 
-from .technique import Technique, Window
+from .technique import Technique
+from .window import Window
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

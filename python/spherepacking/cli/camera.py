@@ -1,4 +1,4 @@
-"""Where the command line's camera stands."""
+"""The camera of the command line."""
 
 from __future__ import annotations
 
@@ -8,17 +8,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..accessor import PackingAccessor
+from ..checks import EXTENT_LIMITS, FINEST_EXTENT
 
 if TYPE_CHECKING:
     import pyvista as pv
 
-    Vector = tuple[float, float, float]
-
-# Lengths between which pictures come out right: beyond, squares and depths leave the range of
-# single precision.
-_SMALLEST, _LARGEST = 1e-15, 1e15
-# Length of a packing over its distance from the origin from which on a camera can be placed.
-_FINEST = 1e-13
+    from .options import Vector
 
 
 def check_extent(name: str, packing: pv.PolyData) -> None:
@@ -37,15 +32,16 @@ def check_extent(name: str, packing: pv.PolyData) -> None:
     with np.errstate(over="ignore"):
         extent = np.max(high - low)
     farthest = np.max(np.abs([low, high]))
-    if not _SMALLEST <= extent <= _LARGEST:
+    least, most = EXTENT_LIMITS
+    if not least <= extent <= most:
         raise ValueError(
-            f"{name}: found spheres over a length of {extent:g}, expected {_SMALLEST:g} to "
-            f"{_LARGEST:g}: pictures are computed in single precision"
+            f"{name}: found spheres over a length of {extent:g}, expected {least:g} to {most:g}: "
+            "pictures are computed in single precision"
         )
-    if extent < _FINEST * farthest:
+    if extent < FINEST_EXTENT * farthest:
         raise ValueError(
             f"{name}: found spheres over a length of {extent:g} at coordinates up to {farthest:g}, "
-            f"expected at least {_FINEST:g} of these: double precision holds no more digits"
+            f"expected at least {FINEST_EXTENT:g} of these: double precision holds no more digits"
         )
 
 
@@ -67,22 +63,26 @@ def aim(
     Raises
     ------
     ValueError
-        If a number is not finite, the camera stands where it looks at or too far away, or `up` is
-        no direction or that of view.
+        If a number is not finite, the position is the focal point or too far from it, or `up` is 0
+        or the direction of view.
     """
     for name, vector in (("--camera", position), ("--focal", focal), ("--up", up)):
         if vector is not None and not np.isfinite(vector).all():
-            raise ValueError(f"{name}: found {_words(vector)}, expected three finite numbers")
-    # Not set before they are known to differ: VTK moves a camera that stands where it looks at.
+            raise ValueError(f"{name}: found {_text_of(vector)}, expected three finite numbers")
+    # Not set before they are known to differ: VTK moves the focal point away from the position.
     position = camera.position if position is None else position
     focal = camera.focal_point if focal is None else focal
     distance = math.dist(position, focal)
     if distance == 0.0:
-        raise ValueError("--camera: the camera stands where it looks at, expected another --focal")
-    if not _SMALLEST <= distance <= _LARGEST:
         raise ValueError(
-            f"--camera: found a distance of {distance:g} from what it looks at, expected "
-            f"{_SMALLEST:g} to {_LARGEST:g}"
+            f"--camera: found the position {_text_of(position)} at the focal point, expected "
+            "another one"
+        )
+    least, most = EXTENT_LIMITS
+    if not least <= distance <= most:
+        raise ValueError(
+            f"--camera: found a distance of {distance:g} from the focal point, expected {least:g} "
+            f"to {most:g}"
         )
     view = np.subtract(focal, position)
     if up is None:
@@ -98,7 +98,7 @@ def aim(
     camera.up = up
 
 
-def _words(vector: Vector) -> str:
+def _text_of(vector: Vector) -> str:
     return " ".join(f"{number:g}" for number in vector)
 
 

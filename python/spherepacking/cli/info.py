@@ -56,8 +56,8 @@ def _volume(radii: np.ndarray) -> str:
     largest = radii.max()
     if largest == 0.0:
         return "0"
-    share = 4.0 / 3.0 * np.pi * np.sum((radii / largest) ** 3)
-    volume = Decimal(float(share)) * Decimal(float(largest)) ** 3
+    relative = 4.0 / 3.0 * np.pi * np.sum((radii / largest) ** 3)
+    volume = Decimal(float(relative)) * Decimal(float(largest)) ** 3
     # Numbers are shown alike wherever a float holds them.
     inside = _TINY < volume < _HUGE
     return f"{float(volume):.6g}" if inside else f"{volume:.5e}"
@@ -76,7 +76,8 @@ def describe(packing: pv.PolyData) -> str:
     str
         Several lines, ASCII only.
     """
-    # Not packing.packing: before 0.49, PyVista kept a dataset alive whose accessor had been used.
+    # Upstream: PyVista before 0.49 keeps a dataset alive whose accessor packing.packing has been
+    # used: https://github.com/pyvista/pyvista/pull/8925.
     spheres = PackingAccessor(packing)
     lines = [f"spheres  {spheres.n_spheres:,}"]
     if spheres.n_spheres:

@@ -42,11 +42,11 @@ def pack_file(
         False if Ctrl-C ended it early; the spheres that were there are written.
     """
     if target.is_dir():
-        raise IsADirectoryError(f"{target}: is a directory, expected a file name")
+        raise IsADirectoryError(f"{target}: found a directory, expected a file name")
     if not target.parent.is_dir():
         raise FileNotFoundError(f"{target}: there is no folder {target.parent}")
     with TemporaryDirectory() as folder:
-        # What cannot be written is better known before the work than after it.
+        # Whether the packing can be written should be known before the work.
         trial = pv.PolyData(np.zeros((1, 3)))
         trial["radius"] = np.ones(1)
         trial_path = Path(folder) / target.name

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 import warnings
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import pyvista as pv
@@ -15,57 +15,37 @@ from ..files.image import write_image
 from ..trace.sky import Sun
 
 if TYPE_CHECKING:
-    from pathlib import Path
+    from ..look.look import Look
+    from ..trace.sky import SkyLike
+    from .options import RenderOptions
 
 
-def add_boxes(
-    plotter: pv.Plotter, packing: pv.PolyData, technique: str, boxes: int, cuts: int
-) -> pv.PolyData:
+def add_boxes(plotter: pv.Plotter, packing: pv.PolyData, options: RenderOptions) -> pv.PolyData:
     """Add the edges of the boxes of a structure to the scene.
-
-    Parameters
-    ----------
-    plotter : pyvista.Plotter
-        Scene to add to.
-    packing : pyvista.PolyData
-        Centres (n, 3) and point array ``radius`` (n,).
-    technique : {"bvh", "grid"}
-        Structure.
-    boxes : int
-        Number of leaf boxes of the hierarchy.
-    cuts : int
-        How often the grid cuts each axis.
 
     Returns
     -------
     pyvista.PolyData
         What the picture has to show: the corners, as spheres of radius 0.
     """
-    if technique == "bvh":
-        lines = PackingAccessor(packing).bvh_boxes(boxes, as_lines=True)
+    if options.technique == "bvh":
+        lines = PackingAccessor(packing).bvh_boxes(options.boxes, as_lines=True)
     else:
-        lines = PackingAccessor(packing).grid_boxes(cuts, as_lines=True)
+        lines = PackingAccessor(packing).grid_boxes(options.cuts, as_lines=True)
     if not lines.n_points:
         return packing
     plotter.add_mesh(lines, color="black", line_width=2.0, lighting=False, show_scalar_bar=False)
-    corners = pv.PolyData(np.asarray(lines.points))
-    corners["radius"] = np.zeros(corners.n_points)
-    return corners
+    return _as_spheres(lines)
 
 
 def add_metaballs(
-    plotter: pv.Plotter, packing: pv.PolyData, words: dict[str, object]
+    plotter: pv.Plotter,
+    packing: pv.PolyData,
+    look: Look,
+    material: dict[str, Any],
+    options: RenderOptions,
 ) -> pv.PolyData:
     """Add the surface of metaballs to the scene.
-
-    Parameters
-    ----------
-    plotter : pyvista.Plotter
-        Scene to add to.
-    packing : pyvista.PolyData
-        Centres (n, 3) and point array ``radius`` (n,).
-    words : dict
-        Arguments of ``plotter.packing.add_metaballs``.
 
     Returns
     -------
@@ -80,70 +60,82 @@ def add_metaballs(
     with warnings.catch_warnings():
         warnings.filterwarnings("error", "metaballs: ", UserWarning)
         try:
-            balls = plotter.packing.add_metaballs(packing, **words)
+            balls = plotter.packing.add_metaballs(
+                packing,
+                threshold=options.threshold,
+                kernel=options.kernel,
+                weights=options.weights,
+                count=options.count,
+                dimensions=options.dimensions,
+                **look.kwargs(),
+                **material,
+            )
         except UserWarning as empty:
             raise ValueError(f"--threshold: {empty}") from None
-    points = pv.PolyData(np.asarray(balls.surface.points))
-    points["radius"] = np.zeros(points.n_points)
-    return points
+    return _as_spheres(balls.surface)
 
 
 def save_ray_cast(
-    plotter: pv.Plotter,
-    packing: pv.PolyData,
-    output: Path,
-    transparent: bool,
-    words: dict[str, object],
+    plotter: pv.Plotter, packing: pv.PolyData, look: Look, options: RenderOptions
 ) -> None:
-    """Cast the rays of the plotter's camera and save the picture.
-
-    Parameters
-    ----------
-    plotter : pyvista.Plotter
-        Its camera and background are used.
-    packing : pyvista.PolyData
-        Centres (n, 3) and point array ``radius`` (n,).
-    output : pathlib.Path
-        Picture to write.
-    transparent : bool
-        Keep the alpha channel instead of mixing with the background.
-    words : dict
-        Arguments of ``packing.packing.ray_cast``.
-    """
-    image = PackingAccessor(packing).ray_cast(plotter.camera, progress=sys.stderr.isatty(), **words)
+    """Cast rays from the plotter's camera and save the picture, on its background if opaque."""
+    samples = options.samples
+    if samples is None:
+        samples = 2 if options.anti_aliasing else 1
+    image = PackingAccessor(packing).ray_cast(
+        plotter.camera,
+        options.size,
+        structure=options.structure,
+        samples=samples,
+        progress=sys.stderr.isatty(),
+        **look.kwargs(),
+    )
     pixels = _pixels_of(image)
-    write_image(output, pixels if transparent else _over(plotter, pixels))
+    write_image(options.output, pixels if options.transparent else _over(plotter, pixels))
 
 
 def save_path_trace(
-    plotter: pv.Plotter,
-    packing: pv.PolyData,
-    output: Path,
-    behind: str,
-    words: dict[str, object],
+    plotter: pv.Plotter, packing: pv.PolyData, look: Look, options: RenderOptions
 ) -> None:
     """Trace paths from the plotter's camera and save the picture.
 
-    Parameters
-    ----------
-    plotter : pyvista.Plotter
-        Its camera is used, and its background.
-    packing : pyvista.PolyData
-        Centres (n, 3) and point array ``radius`` (n,).
-    output : pathlib.Path
-        Picture to write.
-    behind : {"sky", "background", "nothing"}
-        What is behind the spheres.
-    words : dict
-        Arguments of ``packing.packing.path_trace``.
+    The sky is behind the spheres, or the plotter's background if one was asked for.
     """
+    colors = look.kwargs()
+    if look.scalars is None and look.color is None:
+        colors["scalars"] = packing.point_data.active_scalars_name
+    sun = options.sun
     image = PackingAccessor(packing).path_trace(
-        plotter.camera, progress=sys.stderr.isatty(), sky_visible=behind == "sky", **words
+        plotter.camera,
+        options.size,
+        structure=options.structure,
+        samples=16 if options.samples is None else options.samples,
+        max_bounces=options.max_bounces,
+        albedo=options.albedo,
+        sky=1.0 if options.sky is None else _sky_of(options.sky),
+        sun=None if sun is None else Sun(sun, options.sun_radiance, options.sun_diameter),
+        seed=options.seed,
+        time_budget=options.time_budget,
+        noise_target=options.noise_target,
+        exposure=options.exposure,
+        filmic=options.filmic,
+        denoise=options.denoise,
+        sky_visible=not options.transparent and options.background is None,
+        progress=sys.stderr.isatty(),
+        **colors,
     )
-    if behind == "background" and output.suffix.lower() != ".exr":
-        write_image(output, _over(plotter, _pixels_of(image)))
+    on_background = options.background is not None and not options.transparent
+    if on_background and options.output.suffix.lower() != ".exr":
+        write_image(options.output, _over(plotter, _pixels_of(image)))
     else:
-        write_render(output, image)
+        write_render(options.output, image)
+
+
+def _as_spheres(mesh: pv.PolyData) -> pv.PolyData:
+    """The points of a mesh as spheres of radius 0."""
+    spheres = pv.PolyData(np.asarray(mesh.points))
+    spheres["radius"] = np.zeros(spheres.n_points)
+    return spheres
 
 
 def _pixels_of(image: pv.ImageData) -> np.ndarray:
@@ -153,31 +145,14 @@ def _pixels_of(image: pv.ImageData) -> np.ndarray:
 
 
 def _over(plotter: pv.Plotter, pixels: np.ndarray) -> np.ndarray:
-    share = pixels[..., 3:] / 255.0
+    """Composite pixels over the plotter's background."""
+    alpha = pixels[..., 3:] / 255.0
     background = np.array(plotter.background_color.int_rgb)
-    return np.round(share * pixels[..., :3] + (1.0 - share) * background).astype(np.uint8)
+    return np.round(alpha * pixels[..., :3] + (1.0 - alpha) * background).astype(np.uint8)
 
 
-def light_of(
-    sky: list[str] | None,
-    sun: tuple[float, float, float] | None,
-    sun_radiance: float,
-    sun_diameter: float,
-) -> dict[str, object]:
-    """Sky and sun of the command line as arguments of ``packing.packing.path_trace``.
-
-    Parameters
-    ----------
-    sky : list of str, optional
-        One, two or three numbers, or the name of a file.
-    sun : (float, float, float), optional
-        Direction towards the sun.
-    sun_radiance, sun_diameter : float
-        As in :class:`spherepacking.Sun`.
-    """
-    words = {"sun": sun if sun is None else Sun(sun, sun_radiance, sun_diameter)}
-    if sky is None:
-        return words
+def _sky_of(sky: list[str]) -> SkyLike:
+    """The light of a sky from one, two or three numbers, or the name of a file."""
     try:
         numbers = [float(word) for word in sky]
     except ValueError:
@@ -185,7 +160,7 @@ def light_of(
             raise ValueError(
                 f"--sky: found {' '.join(sky)}, expected one, two or three numbers, or a file"
             ) from None
-        return words | {"sky": sky[0]}
+        return sky[0]
     if len(numbers) > 3:
         raise ValueError(f"--sky: found {len(numbers)} numbers, expected one, two or three")
-    return words | {"sky": numbers[0] if len(numbers) == 1 else numbers}
+    return numbers[0] if len(numbers) == 1 else numbers

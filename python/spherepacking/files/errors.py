@@ -4,4 +4,4 @@ from __future__ import annotations
 
 
 class PackingFileError(ValueError):
-    """A file is no sphere packing; the message names file and line, what was found and expected."""
+    """A file holds no sphere packing; the message names file, line, what was found and expected."""

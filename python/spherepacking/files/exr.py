@@ -1,4 +1,4 @@
-"""Path-traced pictures as files of many channels."""
+"""Path-traced pictures as OpenEXR files with all their layers."""
 
 from __future__ import annotations
 
@@ -14,7 +14,8 @@ if TYPE_CHECKING:
 
     import pyvista as pv
 
-_LAYERS = {
+# Channels of each point array.
+_CHANNELS = {
     "radiance": ("R", "G", "B"),
     "coverage": ("coverage.A",),
     "denoised": ("denoised.R", "denoised.G", "denoised.B"),
@@ -24,8 +25,10 @@ _LAYERS = {
     "variance": ("variance.Y",),
     "samples": ("samples.Y",),
 }
-_FIELDS = ("camera", "view_angle", "parallel_scale", "seed", "max_bounces", "reflectance")
-_HALF = 2**16
+# Field arrays that become attributes.
+_ATTRIBUTES = ("camera", "view_angle", "parallel_scale", "seed", "max_bounces", "reflectance")
+# Single precision holds integers up to 2**24, so ids are split in two.
+_ID_BASE = 2**16
 
 
 def write_render(path: str | os.PathLike[str], image: pv.ImageData) -> None:
@@ -34,21 +37,29 @@ def write_render(path: str | os.PathLike[str], image: pv.ImageData) -> None:
     Parameters
     ----------
     path : str or os.PathLike
-        File to write. With ``.exr`` its channels, single precision, are ``R``, ``G``, ``B`` (the
-        radiance, linear), ``coverage.A``, ``denoised.R`` and so on if there is one, ``albedo.R``,
-        ``normal.X``, ``Z`` (the depth), ``variance.Y``, ``samples.Y``, and
-        ``sphere_id.high`` and ``sphere_id.low``, of which the id is 65536 high + low. Attributes
-        tell version, samples, seed, camera and how paths went. Other formats get ``color``, without
-        its opacity where there is nothing to be seen through.
+        File to write. An ``.exr`` file has these channels, in single precision:
+
+        - ``R``, ``G``, ``B``: the radiance, linear
+        - ``coverage.A``
+        - ``denoised.R``, ``.G``, ``.B``, if the picture has been denoised
+        - ``albedo.R``, ``.G``, ``.B``
+        - ``normal.X``, ``.Y``, ``.Z``
+        - ``Z``: the depth
+        - ``variance.Y``
+        - ``samples.Y``
+        - ``sphere_id.high``, ``sphere_id.low``: the id is 65536 high + low
+
+        Its attributes hold version, samples, seed, camera and what else made the picture. Files of
+        other formats hold ``color``, without alpha where all pixels are opaque.
     image : pyvista.ImageData
         The picture.
 
     Raises
     ------
     OSError
-        If the file cannot be written; an earlier one is as it was.
+        If the file cannot be written; an earlier one is left as it was.
     ValueError
-        If no format has that extension, or `image` is no such picture.
+        If no format has that extension, or `image` is not such a picture.
 
     Examples
     --------
@@ -69,11 +80,11 @@ def write_render(path: str | os.PathLike[str], image: pv.ImageData) -> None:
         write_image(path, opaque(np.asarray(image["color"]).reshape(height, width, 4)[::-1]))
         return
     names, columns = [], []
-    for array, channels in _LAYERS.items():
+    for array, channels in _CHANNELS.items():
         if array in image.point_data:
             names.extend(channels)
             columns.append(np.asarray(image[array], np.float32).reshape(-1, len(channels)))
-    high, low = np.divmod(np.asarray(image["sphere_id"]), _HALF)
+    high, low = np.divmod(np.asarray(image["sphere_id"]), _ID_BASE)
     names.extend(["sphere_id.high", "sphere_id.low"])
     columns.append(np.column_stack([high, low]).astype(np.float32))
     pixels = np.concatenate(columns, axis=1).reshape(height, width, -1)[::-1]
@@ -81,18 +92,18 @@ def write_render(path: str | os.PathLike[str], image: pv.ImageData) -> None:
 
 
 def opaque(pixels: np.ndarray) -> np.ndarray:
-    """Leave out an alpha channel that says nothing, and which some formats have no room for."""
+    """Leave out an alpha channel that is opaque everywhere, which not all formats can hold."""
     return pixels[..., :3] if (pixels[..., 3] == 255).all() else pixels
 
 
 def _attributes_of(image: pv.ImageData) -> dict[str, str | float]:
     from .. import __version__
 
-    attributes = {
+    attributes: dict[str, str | float] = {
         "Software": f"spherepacking {__version__}",
         "spherepacking:samples": int(np.max(image["samples"])),
     }
-    for name in _FIELDS:
+    for name in _ATTRIBUTES:
         if name not in image.field_data:
             continue
         values = np.asarray(image.field_data[name])

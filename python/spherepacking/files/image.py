@@ -82,7 +82,7 @@ def write_image(path: str | os.PathLike[str], pixels: np.ndarray) -> None:
     OSError
         If the folder does not exist or the file cannot be written; an earlier file is as it was.
     TypeError
-        If the pixels are of another type.
+        If the pixels have another type.
     ValueError
         If no format has that extension, or the array has no pixels or no shape of a picture.
     """
@@ -111,7 +111,7 @@ def write_channels(
     spec.channelnames = names
     spec.z_channel = names.index("Z")
     for name, value in attributes.items():
-        # Integers of OpenImageIO have 32 bits and a sign.
+        # Integer attributes of OpenImageIO have 32 bits and a sign.
         spec.attribute(name, str(value) if isinstance(value, int) and value >= 2**31 else value)
     _write_whole(path, _create(path), spec, pixels)
 
@@ -119,11 +119,16 @@ def write_channels(
 def _write_whole(
     path: Path, output: oiio.ImageOutput, spec: oiio.ImageSpec, pixels: np.ndarray
 ) -> None:
-    """Encode in memory, then put the file in its place.
+    """Encode in memory, then replace the file at once.
 
-    Not every format's writer notices that a disk is full, and that of JPEG then ends the process.
+    Upstream: when a disk is full, OpenImageIO 3.2's writers of PNG, BMP and GIF report success, and
+    that of JPEG ends the process, since it leaves libjpeg its own error handler, which exits. So
+    the encoder writes to memory, what it wrote is read back, and Python puts the file on the disk.
+    In C++ OpenImageIO writes to memory by itself, but its Python module has no IOProxy:
+    https://github.com/AcademySoftwareFoundation/OpenImageIO/pull/1931.
     """
-    # Some writers go by the extension, so the memory needs a name that has it.
+    # Upstream: OpenImageIO 3.2's writer of JPEG 2000 goes by the extension of the file that it
+    # opens, and writes nothing without one, so the memory needs a name that has it.
     with TemporaryDirectory() as folder, os.fdopen(os.memfd_create("picture"), "rb") as memory:
         try:
             # A limit on the size of files holds for memory, too: the most that it needs must fit.
@@ -189,7 +194,7 @@ def compare_images(first: np.ndarray, second: np.ndarray) -> ImageDifference:
     Parameters
     ----------
     first, second : numpy.ndarray
-        (height, width[, channels]); integers are taken as fractions of their largest value.
+        (height, width[, channels]); integers count as fractions of their largest value.
 
     Returns
     -------
@@ -203,7 +208,9 @@ def compare_images(first: np.ndarray, second: np.ndarray) -> ImageDifference:
     """
     first, second = (np.atleast_3d(np.ascontiguousarray(a)) for a in (first, second))
     if first.shape != second.shape:
-        raise ValueError(f"pictures of shape {first.shape} and {second.shape} cannot be compared")
+        raise ValueError(
+            f"second: found shape {second.shape}, expected that of first, {first.shape}"
+        )
     result = oiio.ImageBufAlgo.compare(oiio.ImageBuf(first), oiio.ImageBuf(second), 0.0, 0.0)
     return ImageDifference(
         float(result.meanerror),

@@ -8,13 +8,16 @@ from typing import TYPE_CHECKING
 
 import pyvista as pv
 
-from ..vtk_tools import ErrorLog, progress_bar
+from ..vtk_tools import ErrorLog, errors_raised, progress_bar
+from .errors import PackingFileError
 
 if TYPE_CHECKING:
     import os
     from typing import Literal
 
-#: Seconds before a progress bar appears where none was asked for explicitly.
+    from ..backend import vtkSpherePackingReader
+
+# Seconds before a progress bar appears, so that short work shows none.
 _BAR_DELAY = 0.5
 
 
@@ -47,18 +50,17 @@ class SpherePackingReader(pv.BaseReader, pv.TimeReader):
     """
 
     @staticmethod
-    def _class_reader() -> object:
+    def _class_reader() -> vtkSpherePackingReader:
         # Called by BaseReader to make its VTK reader; imported here, see backend.
         from ..backend import vtkSpherePackingReader
 
         return vtkSpherePackingReader()
 
     def _set_defaults(self) -> None:
-        self._errors = ErrorLog(self.reader)
         self._time: float | None = None
 
     def _set_directory(self, directory: str) -> None:
-        raise IsADirectoryError(f"{directory}: is a directory, expected a file with a packing")
+        raise IsADirectoryError(f"{directory}: found a directory, expected a file with a packing")
 
     def _update_information(self) -> None:
         # There is nothing to know before the file is read, and PyVista drops what is raised here.
@@ -73,7 +75,7 @@ class SpherePackingReader(pv.BaseReader, pv.TimeReader):
     @precision.setter
     def precision(self, precision: Literal["single", "double"]) -> None:
         if precision not in ("single", "double"):
-            raise ValueError(f"precision is {precision!r}, expected 'single' or 'double'")
+            raise ValueError(f"precision: found {precision!r}, expected 'single' or 'double'")
         single = precision == "single"
         self.reader.SetOutputPointsPrecision(
             self.reader.SINGLE_PRECISION if single else self.reader.DOUBLE_PRECISION
@@ -82,7 +84,9 @@ class SpherePackingReader(pv.BaseReader, pv.TimeReader):
     @property
     def time_values(self) -> list[float]:
         """Return the time steps of a dump; empty for other files."""
-        self.reader.UpdateInformation()
+        # What is wrong with the file is raised when it is read.
+        with ErrorLog(self.reader):
+            self.reader.UpdateInformation()
         key = self.reader.GetExecutive().TIME_STEPS()
         return list(self.reader.GetOutputInformation(0).Get(key) or ())
 
@@ -124,26 +128,24 @@ class SpherePackingReader(pv.BaseReader, pv.TimeReader):
         pyvista.PolyData
             What :func:`spherepacking.read` returns, and it raises the same PackingFileError.
         """
-        # pyvista.read() listens too, and would log what is raised below.
-        self._errors.listen_alone(self.reader)
-        if self._progress_bar:
-            watch = progress_bar(self.reader, self._progress_msg)
-        else:
-            watch = nullcontext()
-        with watch:
+        # pyvista.read() observes the reader, too, and would log what is raised here.
+        self.reader.RemoveObservers("ErrorEvent")
+        bar = progress_bar(self.reader, self._progress_msg) if self._progress_bar else nullcontext()
+        with errors_raised(self.reader, PackingFileError), bar:
             if self._time is None:
                 self.reader.Update()
             else:
                 self.reader.UpdateTimeStep(self._time)
-        self._errors.raise_if_any(self.reader.GetErrorMessage())
         return pv.wrap(self.reader.GetOutput(), validate=validate)
 
 
 def _read_function(path: str) -> pv.PolyData:
-    """Read `path`; PyVista before 0.49 takes functions, no classes, from entry points."""
+    """Read `path`."""
     return SpherePackingReader(path).read()
 
 
+# Upstream: PyVista before 0.49 takes functions only, no classes, from entry points:
+# https://github.com/pyvista/pyvista/pull/8950.
 entry_point = SpherePackingReader if pv.version_info >= (0, 49) else _read_function
 
 
@@ -181,7 +183,7 @@ def read(
     OSError
         If it is a pipe or a device.
     PackingFileError
-        If the file is no packing. The message names file and line, what was found and what was
+        If the file holds no packing. The message names file and line, what was found and what was
         expected.
 
     Examples
@@ -194,10 +196,6 @@ def read(
         raise OSError(f"{path}: found a pipe or a device, expected a file")
     reader = SpherePackingReader(path)
     reader.precision = precision
-    watch = (
-        progress_bar(reader.reader, f"Reading {path.name}", _BAR_DELAY)
-        if progress
-        else nullcontext()
-    )
-    with watch:
+    bar = progress_bar(reader.reader, f"Reading {path.name}", _BAR_DELAY)
+    with bar if progress else nullcontext():
         return reader.read()

@@ -10,7 +10,7 @@ from pathlib import Path
 
 
 def check_replaceable(path: Path) -> Path:
-    """Raise an OSError unless a file can be put in the place of `path`, as far as one can see.
+    """Raise an OSError unless a file can be written at `path`, as far as that is known before.
 
     Parameters
     ----------
@@ -52,19 +52,21 @@ def check_replaceable(path: Path) -> Path:
 
 
 def replace_file(path: Path, data: bytes) -> None:
-    """Write a file beside its place and rename it in the end; an earlier one keeps its mode.
+    """Write a file under another name in its folder, then rename it; an earlier one keeps its mode.
+
+    AtomicFile.cxx does the same for packings.
 
     Parameters
     ----------
     path : pathlib.Path
         Where the file is to be; links are followed.
     data : bytes
-        What is in it.
+        Its contents.
 
     Raises
     ------
     OSError
-        If it cannot be written; an earlier file is as it was and nothing else is left.
+        If it cannot be written; an earlier file is left as it was, and no other one is left.
     """
     target = check_replaceable(path)
     # A name of its own, since one that is longer than the target's may be too long.

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING
 
 import pyvista as pv
 
-from ..vtk_tools import ErrorLog
+from ..vtk_tools import errors_raised
+from .errors import PackingFileError
 
 if TYPE_CHECKING:
     import os
@@ -30,7 +31,7 @@ def write(packing: pv.PolyData, path: str | os.PathLike[str]) -> None:
     Raises
     ------
     TypeError
-        If `packing` is no PolyData.
+        If `packing` is not a PolyData.
     FileNotFoundError
         If the folder of `path` does not exist.
     PackingFileError
@@ -44,15 +45,14 @@ def write(packing: pv.PolyData, path: str | os.PathLike[str]) -> None:
     from ..backend import vtkSpherePackingWriter
 
     if not isinstance(packing, pv.PolyData):
-        raise TypeError(f"packing is a {type(packing).__name__}, expected a PolyData")
+        raise TypeError(f"packing: found a {type(packing).__name__}, expected a PolyData")
     path = Path(path).expanduser()
     if not path.parent.is_dir():
         raise FileNotFoundError(f"{path}: there is no folder {path.parent}")
     if path.is_dir():
-        raise IsADirectoryError(f"{path}: is a directory, expected a file name")
+        raise IsADirectoryError(f"{path}: found a directory, expected a file name")
     writer = vtkSpherePackingWriter()
-    errors = ErrorLog(writer)
     writer.SetFileName(str(path))
     writer.SetInputData(packing)
-    writer.Write()
-    errors.raise_if_any(writer.GetErrorMessage())
+    with errors_raised(writer, PackingFileError):
+        writer.Write()

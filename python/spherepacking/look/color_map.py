@@ -1,8 +1,9 @@
-"""How ``plotter.packing.add`` turns scalars into colours, checked before the plotter changes."""
+"""How scalars become colours, checked before the plotter changes."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import pyvista as pv
@@ -18,28 +19,71 @@ if TYPE_CHECKING:
     from .scalars import Scalars
 
 
-def colour_map_of(
+@dataclass(frozen=True, eq=False)
+class ColorMap:
+    """A colour map, checked: the attributes are arguments of ``DataSetMapper.set_scalars``.
+
+    Attributes
+    ----------
+    clim : tuple[float, float] or None
+        Range of the scalars; None for that of the values.
+    n_colors : int
+        Length of the colour map.
+    categories : bool or int
+        Whether it has a colour for each different value, or for how many.
+    cmap, component, log_scale, annotations, flip_scalars
+        As ``plotter.packing.add`` was given them.
+    nan_color : pyvista.Color
+        Colour of NaN, with its opacity.
+    below_color, above_color : pyvista.Color or bool or None
+        Colours of what is outside `clim`; True for the theme's, None for the ends of the map.
+    """
+
+    cmap: str | list[ColorLike] | pv.LookupTable | None
+    clim: tuple[float, float] | None
+    n_colors: int
+    categories: bool | int
+    component: int | None
+    log_scale: bool
+    annotations: dict[float, str] | None
+    nan_color: pv.Color
+    below_color: pv.Color | bool | None
+    above_color: pv.Color | bool | None
+    flip_scalars: bool
+
+    def kwargs(self) -> dict[str, Any]:
+        """The attributes as keyword arguments."""
+        return vars(self).copy()
+
+
+def color_map_of(
     scalars: Scalars,
-    component: int | None,
+    theme: Theme,
+    *,
     cmap: str | list[ColorLike] | pv.LookupTable | None,
     clim: Sequence[float] | float | None,
-    n_colors: int,
-    categories: bool | int,
     log_scale: bool,
-    annotations: dict[float, str] | None,
-) -> dict[str, object]:
-    """Check what describes the colour map; the arguments are those of ``add``.
+    component: int | None = None,
+    n_colors: int = 256,
+    categories: bool | int = False,
+    flip_scalars: bool = False,
+    annotations: dict[float, str] | None = None,
+    nan_color: ColorLike | None = None,
+    nan_opacity: float = 1.0,
+    below_color: ColorLike | bool | None = None,
+    above_color: ColorLike | bool | None = None,
+) -> ColorMap:
+    """Check what describes the colour map; the arguments are those of ``plotter.packing.add``.
 
     Returns
     -------
-    dict
-        The same for :meth:`pyvista.DataSetMapper.set_scalars`: `clim` is None or two numbers, and
-        `n_colors` is the length of the colour map.
+    ColorMap
+        The colour map.
 
     Raises
     ------
     TypeError
-        If a number is no integer where it has to be, or the annotations are no dict.
+        If a number is not an integer where it has to be, or the annotations are not a dict.
     ValueError
         If an argument is out of its range, or the scalars are out of that of the colour map.
     """
@@ -51,12 +95,7 @@ def colour_map_of(
         n_colors = categories = count_of("categories", categories)
     if cmap is not None and not isinstance(cmap, pv.LookupTable):
         _check_cmap(cmap)
-    if not isinstance(annotations, dict | None):
-        raise TypeError(f"annotations: found {annotations!r}, expected a dict of numbers to texts")
-    for value, text in (annotations or {}).items():
-        number_of("annotations", value, -np.inf, np.inf)
-        if not isinstance(text, str):
-            raise TypeError(f"annotations: found {text!r} beside {value}, expected a text")
+    _check_annotations(annotations)
     if scalars.mapped:
         values = _one_component(scalars.values, component)
         kind = values.dtype.kind
@@ -68,41 +107,25 @@ def colour_map_of(
             n_colors = len(np.unique(values))
         elif categories is False and kind == "b":
             n_colors = 2
-    return {
-        "cmap": cmap,
-        "clim": limits,
-        "n_colors": n_colors,
-        "categories": categories,
-        "component": component,
-        "log_scale": log_scale,
-        "annotations": annotations,
-    }
-
-
-def special_colours(
-    theme: Theme,
-    nan_color: ColorLike | None,
-    nan_opacity: float,
-    below_color: ColorLike | bool | None,
-    above_color: ColorLike | bool | None,
-) -> dict[str, object]:
-    """Check the colours beside the colour map; a ValueError names the one that is none.
-
-    Returns
-    -------
-    dict
-        The same for :meth:`pyvista.DataSetMapper.set_scalars`; True means the theme's colour.
-    """
     nan_opacity = number_of("nan_opacity", nan_opacity, 0.0, 1.0)
-    nan_color = color_of("nan_color", nan_color)
-    return {
-        "nan_color": pv.Color(nan_color, opacity=nan_opacity, default_color=theme.nan_color),
-        "below_color": color_of("below_color", below_color),
-        "above_color": color_of("above_color", above_color),
-    }
+    nan = color_of("nan_color", nan_color)
+    return ColorMap(
+        cmap=cmap,
+        clim=limits,
+        n_colors=n_colors,
+        categories=categories,
+        component=component,
+        log_scale=log_scale,
+        annotations=annotations,
+        nan_color=pv.Color(nan, opacity=nan_opacity, default_color=theme.nan_color),
+        below_color=color_of("below_color", below_color),
+        above_color=color_of("above_color", above_color),
+        flip_scalars=flip_scalars,
+    )
 
 
 def _limits(clim: Sequence[float] | float | None) -> tuple[float, float] | None:
+    """The range that was asked for, or a ValueError."""
     if clim is None:
         return None
     try:
@@ -133,6 +156,15 @@ def _check_cmap(cmap: str | list[ColorLike]) -> None:
     )
 
 
+def _check_annotations(annotations: dict[float, str] | None) -> None:
+    if not isinstance(annotations, dict | None):
+        raise TypeError(f"annotations: found {annotations!r}, expected a dict of numbers to texts")
+    for value, text in (annotations or {}).items():
+        number_of("annotations", value, -np.inf, np.inf)
+        if not isinstance(text, str):
+            raise TypeError(f"annotations: found {text!r} beside {value}, expected a text")
+
+
 def _one_component(values: np.ndarray, component: int | None) -> np.ndarray:
     """Return the values (n,) that the colour map spans: a component, or the magnitude of all."""
     columns = 1 if values.ndim == 1 else values.shape[1]
@@ -153,8 +185,8 @@ def _one_component(values: np.ndarray, component: int | None) -> np.ndarray:
 def _checked_limits(
     values: np.ndarray, limits: tuple[float, float] | None, log_scale: bool
 ) -> tuple[float, float] | None:
-    """Check the range of the colour map: None stays None, the range of the values, if it is one."""
-    found, known = "a clim", limits
+    """Check the range of the colour map: None, the range of the values, stays if that is one."""
+    found, known = "a clim", np.asarray(limits)
     if limits is None:
         found, known = "scalars", values[~np.isnan(values)]
         if not known.size:
@@ -173,11 +205,14 @@ def _checked_limits(
     return limits
 
 
-def widened(
-    scalars: Scalars, component: int | None, limits: tuple[float, float] | None
-) -> tuple[float, float] | None:
-    """Make a range of one value wider, which PyVista divides by if each sphere has an opacity."""
-    values = _one_component(scalars.values, component)
+def widened(scalars: Scalars, color_map: ColorMap) -> tuple[float, float] | None:
+    """Range of the colour map, never of a single value.
+
+    Upstream: PyVista 0.49's set_scalars divides by the length of the range where each sphere has an
+    opacity of its own.
+    """
+    limits = color_map.clim
+    values = _one_component(scalars.values, color_map.component)
     if values.dtype.kind not in "iuf":
         return limits
     low, high = limits or (float(np.nanmin(values)), float(np.nanmax(values)))

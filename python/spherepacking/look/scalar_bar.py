@@ -1,9 +1,9 @@
-"""The scalar bar that ``plotter.packing.add`` shows, checked before the plotter changes."""
+"""The scalar bar, checked before the plotter changes."""
 
 from __future__ import annotations
 
 import inspect
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import pyvista as pv
 
@@ -19,8 +19,8 @@ def scalar_bar_of(
     scalars: Scalars,
     n_colors: int,
     shown: bool | None,
-    args: dict | None,
-) -> dict[str, object] | None:
+    args: dict[str, Any] | None,
+) -> dict[str, Any] | None:
     """Check the scalar bar.
 
     Parameters
@@ -44,7 +44,7 @@ def scalar_bar_of(
     Raises
     ------
     TypeError
-        If `args` is no dict.
+        If `args` is not a dict.
     ValueError
         If there is no such argument, or the plotter cannot show such a bar.
     """
@@ -54,22 +54,23 @@ def scalar_bar_of(
         shown = (plotter.theme.show_scalar_bar or args) and not scalars.rgb
     if not shown or scalars.values is None or not len(scalars.values):
         return None
-    words = {"n_colors": n_colors} if args is None else dict(args)
+    kwargs = {"n_colors": n_colors} if args is None else dict(args)
     if scalars.named:
-        words.setdefault("title", scalars.name)
+        kwargs.setdefault("title", scalars.name)
     if args:
-        _try(plotter, words)
-    placed = {"position_x", "position_y"} <= words.keys()
+        _try(plotter, kwargs)
+    positioned = {"position_x", "position_y"} <= kwargs.keys()
     bars = plotter.scalar_bars
-    if not placed and words.get("title", "") not in bars and len(bars) >= pv.MAX_N_COLOR_BARS:
+    title = kwargs.get("title", "")
+    if not positioned and title not in bars and len(bars) >= pv.MAX_N_COLOR_BARS:
         raise ValueError(
             f"scalar_bar_args: found {len(bars)} scalar bars already, expected position_x and "
             "position_y for another one"
         )
-    return words
+    return kwargs
 
 
-def _check_names(args: dict) -> None:
+def _check_names(args: dict[str, Any]) -> None:
     if not isinstance(args, dict):
         raise TypeError(f"scalar_bar_args: found {args!r}, expected a dict")
     known = inspect.signature(pv.plotting.scalar_bars.ScalarBars.add_scalar_bar).parameters
@@ -81,23 +82,24 @@ def _check_names(args: dict) -> None:
             )
 
 
-def _try(plotter: pv.BasePlotter, words: dict[str, object]) -> None:
-    """Raise a ValueError if PyVista takes no such values.
+def _try(plotter: pv.BasePlotter, kwargs: dict[str, Any]) -> None:
+    """Raise a ValueError if PyVista does not take the values.
 
-    It finds out while it adds the bar, so another plotter, which is thrown away, adds one.
+    Upstream: PyVista 0.49's add_scalar_bar finds out when it has changed the plotter, so another
+    one, which is thrown away, adds a bar first.
     """
-    if words.get("interactive") and plotter.shape != (1, 1):
+    if kwargs.get("interactive") and plotter.shape != (1, 1):
         raise ValueError(
             f"scalar_bar_args: found interactive in a plotter of shape {plotter.shape}, expected "
             "one view"
         )
     trial = pv.Plotter(off_screen=True, theme=plotter.theme)
     try:
-        trial.add_scalar_bar(mapper=pv.DataSetMapper(), render=False, **words)
+        trial.add_scalar_bar(mapper=pv.DataSetMapper(), render=False, **kwargs)
     except (TypeError, ValueError, AttributeError) as error:
         reason = " ".join(str(error).split())
         raise ValueError(
-            f"scalar_bar_args: found {words!r}, which PyVista does not take: {reason}"
+            f"scalar_bar_args: found {kwargs!r}, which PyVista does not take: {reason}"
         ) from error
     finally:
         trial.close()

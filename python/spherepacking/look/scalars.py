@@ -1,4 +1,4 @@
-"""The values that ``plotter.packing.add`` colours spheres by, and their opacities, checked."""
+"""The values that spheres are coloured by, and their opacities, checked."""
 
 from __future__ import annotations
 
@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 import pyvista as pv
 
-from ..checks import no_such_array, per_sphere, storable
+from ..checks import per_sphere, storable
+from ..packing import no_such_array
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -19,7 +20,7 @@ class Scalars(NamedTuple):
     Attributes
     ----------
     values : numpy.ndarray or None
-        One value or row a sphere: real numbers, truth values or texts.
+        One value or row per sphere: real numbers, truth values or texts.
     name : str
         Name of the array; a free one if there is none yet.
     rgb : bool
@@ -39,8 +40,12 @@ class Scalars(NamedTuple):
         return self.values is not None and not self.rgb
 
     @property
-    def foreign(self) -> bool:
-        """Whether the mapper adds an array: what is not there, vectors, texts, truth values."""
+    def adds_array(self) -> bool:
+        """Whether PyVista's mapper adds an array to the packing to draw them.
+
+        It does for values that are not there, and for those that it maps before VTK does: vectors,
+        texts and truth values.
+        """
         if self.values is None:
             return False
         derived = self.mapped and (self.values.ndim > 1 or self.values.dtype.kind not in "iuf")
@@ -70,7 +75,7 @@ def scalars_of(
     Returns
     -------
     Scalars
-        The values and what they are.
+        The values, and how to draw them.
 
     Raises
     ------
@@ -79,27 +84,26 @@ def scalars_of(
     TypeError
         If the values are neither real numbers nor truth values nor texts.
     ValueError
-        If there is not one value or row a sphere, or `rgb` and they are no colours.
+        If there is not one value or row per sphere, or `rgb` and they are not colours.
     """
     if scalars is None and active and packing.n_points:
         scalars = packing.point_data.active_scalars_name
-    named = isinstance(scalars, str)
-    if scalars is None:
-        values, name = None, pv.DEFAULT_SCALARS_NAME
-    elif named:
+    values: np.ndarray | None = None
+    name = pv.DEFAULT_SCALARS_NAME
+    if isinstance(scalars, str):
         if scalars not in packing.point_data:
             raise no_such_array("scalars", scalars, packing)
         values, name = np.asarray(packing.point_data[scalars]), scalars
-    else:
+    elif scalars is not None:
         values = per_sphere("scalars", scalars, packing.n_points)
         name = _free_name(packing)
     if values is not None:
         values = _checked(values)
     if rgb is None:
-        rgb = named and scalars.endswith(("_rgb", "_rgba"))
+        rgb = isinstance(scalars, str) and scalars.endswith(("_rgb", "_rgba"))
     if rgb:
-        _check_colours(values, packing.n_points)
-    return Scalars(values, name, bool(rgb), named)
+        _check_colors(values, packing.n_points)
+    return Scalars(values, name, bool(rgb), isinstance(scalars, str))
 
 
 def _free_name(packing: pv.PolyData) -> str:
@@ -109,7 +113,7 @@ def _free_name(packing: pv.PolyData) -> str:
 
 
 def _checked(values: np.ndarray) -> np.ndarray:
-    """Values of a type and shape that the mapper draws as they are meant."""
+    """Values of a type and shape that the mapper can draw, else a TypeError or ValueError."""
     kind = values.dtype.kind
     if kind not in "iufbSU":
         raise TypeError(
@@ -125,7 +129,7 @@ def _checked(values: np.ndarray) -> np.ndarray:
     return values if kind in "SU" else storable("scalars", values)
 
 
-def _check_colours(values: np.ndarray | None, count: int) -> None:
+def _check_colors(values: np.ndarray | None, count: int) -> None:
     if values is None or values.ndim != 2 or values.shape[1] not in (3, 4):
         found = "no scalars" if values is None else f"scalars of shape {values.shape}"
         raise ValueError(f"rgb: found {found}, expected shape ({count}, 3 or 4)")
@@ -171,7 +175,7 @@ def opacity_of(
     packing : pyvista.PolyData
         Centres (n, 3).
     opacity : float, str, array_like or None
-        One opacity, the name of a point array or of a transfer function, one opacity a sphere, or
+        One opacity, the name of a point array or of a transfer function, one opacity per sphere, or
         a transfer function along the colour map.
     n_colors : int
         Length of a transfer function.
@@ -186,10 +190,11 @@ def opacity_of(
     Raises
     ------
     TypeError
-        If it is no real number.
+        If it is not a real number.
     ValueError
-        If an opacity is not in [0, 1], there is one a sphere beside colours, or there is a transfer
-        function and no colour map, or it has no values, too many, or such that are not finite.
+        If an opacity is not in [0, 1], there is one per sphere beside colours, or there is a
+        transfer function and no colour map, or it has no values, too many, or such that are not
+        finite.
     """
     if opacity is None:
         opacity = 1.0
@@ -238,7 +243,8 @@ def _along_map(values: np.ndarray, n_colors: int, count: int) -> np.ndarray:
         )
     if values.size < n_colors:
         return values
-    # PyVista stores as many values as there are colours as they are, in a table of bytes.
+    # Upstream: PyVista 0.49's opacity_transfer_function scales values from 0 to 1 unless there are
+    # as many as colours; those become bytes as they are.
     table = np.round(255.0 * values) if values.max() <= 1.0 else values
     if table.min() < 0.0 or table.max() > 255.0:
         raise ValueError(

@@ -70,8 +70,8 @@ def _next_level(spheres: np.ndarray, fives: np.ndarray) -> tuple[np.ndarray, np.
 
     replacement = number[index[-len(fresh) :]][which].reshape(-1, 5)
     fives = np.repeat(fives[:, None, :], 5, axis=1)
-    place = np.arange(5)
-    fives[:, place, place] = replacement
+    diagonal = np.arange(5)
+    fives[:, diagonal, diagonal] = replacement
     fives, _, _ = _unique_rows(np.sort(fives.reshape(-1, 5), axis=1))
     return spheres, fives
 
@@ -106,12 +106,12 @@ def apollonian(levels: int) -> pv.PolyData:
     -------
     pyvista.PolyData
         Centres (n, 3) in float64, largest sphere first, with the point arrays ``radius`` (active)
-        and ``level``, the level that a sphere came with. The unit sphere is left out.
+        and ``level``, the level that a sphere came with. The unit sphere is not one of them.
 
     Raises
     ------
     TypeError
-        If `levels` is no integer.
+        If `levels` is not an integer.
     ValueError
         If it is not from 0 to 11.
 
@@ -134,8 +134,8 @@ def apollonian(levels: int) -> pv.PolyData:
     rows, level = rows[1:], level[1:]
     order = np.lexsort((*rows.T[3:0:-1], rows[:, 0]))
     curvature, bx, by, bz, _ = rows[order].T
-    centres = np.column_stack([bx, np.sqrt(3.0) * by, bz]) / curvature[:, None]
-    packing = pv.PolyData(centres)
+    centers = np.column_stack([bx, np.sqrt(3.0) * by, bz]) / curvature[:, None]
+    packing = pv.PolyData(centers)
     packing.point_data["level"] = level[order]
     packing.point_data["radius"] = 1.0 / curvature
     packing.set_active_scalars("radius", preference="point")

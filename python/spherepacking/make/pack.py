@@ -7,8 +7,8 @@ import warnings
 import numpy as np
 import pyvista as pv
 
-from .. import checks as arguments
-from ..vtk_tools import progress_bar as show_progress
+from .. import checks
+from ..vtk_tools import update
 
 
 def pack(
@@ -24,7 +24,7 @@ def pack(
 
     Again and again a sphere is put where about the largest fits, so the packing looks like those
     of ProtoSphere: a few large spheres, and ever smaller ones between them and along the surface.
-    The spheres are sorted by their radii; the first of them are a packing, too.
+    The spheres are sorted from large to small; the first of them are a packing, too.
 
     Points of the surface may coincide, or nearly so, triangles may be there twice and turned either
     way, and more than two may share an edge. Of several shells, one that lies within another bounds
@@ -44,7 +44,7 @@ def pack(
     fraction : float, optional
         Part of the volume that is enough, above 0 and up to 1.
     progress_bar : bool, default: False
-        Show progress and the time that remains on stderr.
+        Show progress and the remaining time on stderr.
 
     Returns
     -------
@@ -56,7 +56,7 @@ def pack(
     Raises
     ------
     TypeError
-        If `mesh` is no PolyData, or `count` or `seed` no integer.
+        If `mesh` is not a PolyData, or `count` or `seed` is not an integer.
     ValueError
         If a number is out of range, no sphere of `min_radius` fits, or the surface is not closed;
         the message says where it is open.
@@ -86,38 +86,29 @@ def pack(
 
     if not isinstance(mesh, pv.PolyData):
         raise TypeError(
-            f"mesh: found {type(mesh).__name__}, expected a pyvista.PolyData; extract_surface() "
+            f"mesh: found a {type(mesh).__name__}, expected a pyvista.PolyData; extract_surface() "
             "makes one of other meshes"
         )
     packer = vtkSpherePacker()
-    for source in (packer, packer.GetExecutive()):
-        source.AddObserver("ErrorEvent", _ignore)  # errors are raised, not printed
     packer.SetInputData(mesh)
-    packer.SetNumberOfSpheres(arguments.count_of("count", count))
-    packer.SetSeed(arguments.count_of("seed", seed, 0))
+    packer.SetNumberOfSpheres(checks.count_of("count", count))
+    packer.SetSeed(checks.count_of("seed", seed, 0))
     if min_radius is not None:
-        least = arguments.number_of("min_radius", min_radius, 0.0, np.finfo(float).max)
+        least = checks.number_of("min_radius", min_radius, 0.0, np.finfo(float).max)
         packer.SetMinimumRadius(least)
     if fraction is not None:
-        part = arguments.above_zero("fraction", fraction)
-        packer.SetVolumeFraction(arguments.number_of("fraction", part, 0.0, 1.0))
-    delay = 0.0 if arguments.flag_of("progress_bar", progress_bar) else np.inf
+        part = checks.above_zero("fraction", fraction)
+        packer.SetVolumeFraction(checks.number_of("fraction", part, 0.0, 1.0))
+    progress = checks.flag_of("progress_bar", progress_bar)
     stopped = False
     try:
-        with show_progress(packer, "packing", delay):
-            packer.Update()
+        update(packer, "packing", progress=progress)
     except KeyboardInterrupt:
-        # It may come when all are there.
+        # It may come when all spheres are there.
         stopped = True
         if not packer.GetOutput().GetNumberOfPoints():
             raise
-    if packer.GetErrorMessage():
-        raise ValueError(packer.GetErrorMessage())
     packing = pv.wrap(packer.GetOutput())
     if stopped:
         warnings.warn(f"stopped after {packing.n_points} of {count} spheres", stacklevel=2)
     return packing
-
-
-def _ignore(*_: object) -> None:
-    pass

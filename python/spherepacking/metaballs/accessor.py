@@ -6,7 +6,10 @@ from typing import TYPE_CHECKING
 
 import pyvista as pv
 
-from . import field as _field
+from ..look.look import Look
+from .arguments import FieldOptions
+from .field import metaball_field
+from .surface import metaballs
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -46,10 +49,10 @@ class MetaballsOfPacking:
         The sums of the inverse kernels, which reach everywhere, go through a tree of spheres whose
         far parts are expanded (L. Greengard and V. Rokhlin, "A Fast Algorithm for Particle
         Simulations", 1987; W. Dehnen, "A Hierarchical O(N) Force Calculation Algorithm", 2002).
-        What is smooth of the sums of many spheres goes through meshes, which is faster, if the
-        error may be 1e-3 and neither gradient nor strongest is wanted (D. Hardy, J. Stone and K.
-        Schulten, "Multilevel summation of electrostatic potentials using graphics processing
-        units", 2009).
+        The smooth part of the sums of many spheres goes through a hierarchy of grids, which is
+        faster, if the error may be 1e-3 and neither gradient nor strongest is wanted (D. Hardy, J.
+        Stone and K. Schulten, "Multilevel summation of electrostatic potentials using graphics
+        processing units", 2009).
 
         Parameters
         ----------
@@ -59,13 +62,18 @@ class MetaballsOfPacking:
             Instead of `dimensions`, the distance of the points, in the unit of the packing.
         kernel : {"inverse", "inverse_square", "gaussian", "wyvill"}, default: "inverse"
             What a sphere of weight w and radius r adds at the distance d from its centre:
-            ``w r / d`` or ``w r**2 / d**2``, neither more than at d = r / 1024;
-            ``w exp(2 - 2 d**2 / r**2)`` (J. Blinn, "A Generalization of Algebraic Surface
-            Drawing", 1982); or ``2 w (1 - u)**2 (1 - 4 u / 9)`` with ``u = d**2 / (2 r)**2``, and
-            0 from d = 2 r on (G. Wyvill, C. McPheeters and B. Wyvill, "Data Structure for Soft
-            Objects", 1986). All are w at d = r.
+
+            - ``"inverse"``: ``w r / d``, not more than at d = r / 1024
+            - ``"inverse_square"``: ``w r**2 / d**2``, not more than at d = r / 1024
+            - ``"gaussian"``: ``w exp(2 - 2 d**2 / r**2)`` (J. Blinn, "A Generalization of
+              Algebraic Surface Drawing", 1982)
+            - ``"wyvill"``: ``2 w (1 - u)**2 (1 - 4 u / 9)`` with ``u = d**2 / (2 r)**2``, and 0
+              from d = 2 r on (G. Wyvill, C. McPheeters and B. Wyvill, "Data Structure for Soft
+              Objects", 1986)
+
+            All are w at d = r.
         weights : array_like, optional
-            k weights from 0 to 1e20 (k,), each for an equal share of the spheres from the largest
+            k weights from 0 to 1e20 (k,), each for an equal part of the spheres from the largest
             to the smallest; 1 for all by default.
         count : int, optional
             Use this many of the largest spheres.
@@ -85,40 +93,37 @@ class MetaballsOfPacking:
             Make the array ``strongest`` too.
         blend : bool, default: False
             Make the array ``blend`` too, if the spheres differ in colour.
-        scalars : str or array_like, optional
-            What the spheres are coloured by, as in ``plotter.packing.add``: a point array (n,), by
-            default the active one.
-        rgb : bool, optional
-            Take the scalars for colours; by default if their name ends with ``_rgb`` or ``_rgba``.
-        cmap : str, list or pyvista.LookupTable, optional
-            Colour map of the scalars.
-        clim : sequence of float, optional
-            Range of the scalars that the colour map spans.
-        log_scale : bool, default: False
-            Map scalars logarithmically.
+        scalars, rgb, cmap, clim, log_scale
+            What the spheres are coloured by, as in :meth:`ray_cast`.
         progress : bool, default: False
             Show a progress bar. Ctrl-C stops the work with or without.
 
         Returns
         -------
         pyvista.ImageData
-            With the point arrays ``field`` (float32), ``gradient`` (float32, 3, the exact
-            derivative of what ``field`` approximates, in the field's unit a unit of length; its
-            error is small, but not bounded relative to itself), ``strongest`` (int64, the sphere
-            that adds most, -1 where none adds anything) and ``blend`` (uint8, 3, the spheres'
-            colours, weighted by what they add), and the field arrays ``build_seconds``,
-            ``sum_seconds`` and ``meshes``, how many the sums went through, 0 if they did through
-            the tree.
+            The grid. Point arrays:
+
+            - ``field`` (float32)
+            - ``gradient`` (n, 3), float32: the exact derivative of what ``field`` approximates, per
+              unit of length; its error is small, but not bounded relative to itself
+            - ``strongest`` (int64): the sphere that adds most, -1 where none adds anything
+            - ``blend`` (n, 3), uint8: mean of the spheres' colours, weighted by what they add
+
+            Field arrays:
+
+            - ``build_seconds``, ``sum_seconds``: of the tree, and of the sums
+            - ``meshes``: number of grids in the hierarchy that the smooth part went through, 0 if
+              all sums went through the tree
 
         Raises
         ------
         KeyError
             If there is no point array ``radius``, or none of the name `scalars`.
         TypeError
-            If an argument is of a type that cannot be meant.
+            If an argument has the wrong type.
         ValueError
             If an argument is out of its range, the grid does not fit in memory, or a radius is
-            none.
+            negative or not finite.
         KeyboardInterrupt
             If Ctrl-C was pressed.
 
@@ -130,32 +135,17 @@ class MetaballsOfPacking:
         >>> field["field"].shape
         (32768,)
         """
-        algorithm = _field.field_filter(
+        options = FieldOptions(dimensions, spacing, kernel, weights, count, relative_error, bounds)
+        return metaball_field(
             self._packing,
-            dimensions=dimensions,
-            spacing=spacing,
-            bounds=bounds,
-            threshold=threshold,
-            kernel=kernel,
-            weights=weights,
-            count=count,
-            relative_error=relative_error,
+            options,
+            threshold,
+            gradient=gradient,
+            strongest=strongest,
+            blend=blend,
+            look=Look(scalars, rgb, cmap, clim, log_scale),
+            progress=progress,
         )
-        flag_of = _field.arguments.flag_of
-        algorithm.SetComputeGradient(flag_of("gradient", gradient))
-        algorithm.SetComputeStrongest(flag_of("strongest", strongest))
-        flag_of("log_scale", log_scale)
-        if flag_of("blend", blend):
-            look = {
-                "scalars": scalars,
-                "rgb": rgb,
-                "cmap": cmap,
-                "clim": clim,
-                "log_scale": log_scale,
-                "color": None,
-            }
-            _field.color_by(algorithm, self._packing, look)
-        return _field.run(algorithm, progress)
 
     def metaballs(
         self,
@@ -191,32 +181,16 @@ class MetaballsOfPacking:
             Points of the grid along x, y and z, or one number for all three.
         spacing : float or sequence of float, optional
             Instead of `dimensions`, the distance of the points, in the unit of the packing.
-        kernel : {"inverse", "inverse_square", "gaussian", "wyvill"}, default: "inverse"
-            What a sphere adds, see :meth:`metaball_field`.
-        weights : array_like, optional
-            k weights from 0 on (k,), each for an equal share of the spheres from the largest to the
-            smallest.
-        count : int, optional
-            Use this many of the largest spheres.
-        relative_error : float, default: 1e-3
-            Bound on the relative error of the field, see :meth:`metaball_field`.
+        kernel, weights, count, relative_error
+            The field, as in :meth:`metaball_field`.
         bounds : sequence of float, optional
             Box of the grid, x min, x max, y min, …; what of the surface is outside is cut off. By
             default the surface closes inside.
         coloring : {"blend", "strongest"}, optional
             Colour by the mean of the spheres' colours, weighted by what they add, or by the sphere
             that adds most; None for no colours.
-        scalars : str or array_like, optional
-            What the spheres are coloured by, as in ``plotter.packing.add``: a point array (n,), by
-            default the active one.
-        rgb : bool, optional
-            Take the scalars for colours; by default if their name ends with ``_rgb`` or ``_rgba``.
-        cmap : str, list or pyvista.LookupTable, optional
-            Colour map of the scalars.
-        clim : sequence of float, optional
-            Range of the scalars that the colour map spans.
-        log_scale : bool, default: False
-            Map scalars logarithmically.
+        scalars, rgb, cmap, clim, log_scale
+            What the spheres are coloured by, as in :meth:`ray_cast`.
         color : ColorLike, optional
             One colour for all spheres, which leaves the array ``color`` out.
         progress : bool, default: False
@@ -225,20 +199,22 @@ class MetaballsOfPacking:
         Returns
         -------
         pyvista.PolyData
-            Triangles that face outwards, closed unless `bounds` cuts them, with the point arrays
-            ``Normals`` (float32, 3, from the field's gradient), ``color`` (uint8, 3) if the spheres
-            differ in colour, and with ``coloring="strongest"`` also ``sphere_id`` (int64). Empty,
-            with a warning, if the field has the threshold nowhere.
+            Triangles that face outwards, closed unless `bounds` cuts them; empty, with a warning,
+            if the field has the threshold nowhere. Point arrays:
+
+            - ``Normals`` (n, 3), float32: from the field's gradient
+            - ``color`` (n, 3), uint8: if the spheres differ in colour
+            - ``sphere_id`` (int64): with ``coloring="strongest"``
 
         Raises
         ------
         KeyError
             If there is no point array ``radius``, or none of the name `scalars`.
         TypeError
-            If an argument is of a type that cannot be meant.
+            If an argument has the wrong type.
         ValueError
             If an argument is out of its range, the grid does not fit in memory, or a radius is
-            none.
+            negative or not finite.
         KeyboardInterrupt
             If Ctrl-C was pressed.
 
@@ -255,59 +231,8 @@ class MetaballsOfPacking:
         >>> surface.is_manifold
         True
         """
-        threshold = _field.threshold_of(threshold)
-        coloring = _field.coloring_of(coloring)
-        look = {
-            "scalars": scalars,
-            "rgb": rgb,
-            "cmap": cmap,
-            "clim": clim,
-            "log_scale": log_scale,
-            "color": color,
-        }
-        words = {
-            "dimensions": 128 if dimensions is None and spacing is None else dimensions,
-            "spacing": spacing,
-            "bounds": bounds,
-            "kernel": kernel,
-            "weights": weights,
-            "count": count,
-            "relative_error": relative_error,
-        }
-        field, colors = _field.surface_field(
-            self._packing, threshold, coloring, look, words, progress
-        )
-        return colored_surface(field, threshold, coloring, colors)
-
-
-def colored_surface(
-    field: pv.ImageData, threshold: float, coloring: str | None, colors: object
-) -> pv.PolyData:
-    """Make the surface of a field, and its array ``color``.
-
-    Parameters
-    ----------
-    field : pyvista.ImageData
-        Point arrays ``field`` and ``gradient``, and ``blend`` or ``strongest`` as `coloring` says.
-    threshold : float
-        Value of the surface.
-    coloring : {"blend", "strongest"}, optional
-        Where the colours come from.
-    colors : numpy.ndarray, optional
-        Colours (n, 3) of the spheres, uint8; None for none.
-
-    Returns
-    -------
-    pyvista.PolyData
-        As :meth:`MetaballsOfPacking.metaballs` returns it.
-    """
-    surface = _field.surface_at(field, threshold)
-    data = surface.point_data
-    if coloring == "strongest" and surface.n_points:
-        ids = _field.ids_at(field, surface.points)
-        data["sphere_id"] = ids
-        if colors is not None:
-            data["color"] = colors[ids]
-    if "color" in data:
-        data.active_scalars_name = "color"
-    return surface
+        if dimensions is None and spacing is None:
+            dimensions = 128
+        options = FieldOptions(dimensions, spacing, kernel, weights, count, relative_error, bounds)
+        look = Look(scalars, rgb, cmap, clim, log_scale, color)
+        return metaballs(self._packing, options, threshold, coloring, look, progress)

@@ -6,7 +6,10 @@ from typing import TYPE_CHECKING
 
 import pyvista as pv
 
-from .. import checks as arguments
+from .. import checks
+from ..look.look import Look
+from ..packing import packing_of
+from .arguments import FieldOptions
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -84,7 +87,7 @@ class MetaballsOfPlotter:
         Raises
         ------
         KeyError, TypeError, ValueError
-            If an argument is none; the plotter is as it was.
+            If an argument is invalid; the plotter is left as it was.
 
         Examples
         --------
@@ -97,40 +100,22 @@ class MetaballsOfPlotter:
         >>> balls.threshold = 0.8
         >>> plotter.close()
         """
-        from .actor import Metaballs
+        from .actor import Metaballs, actor_of
 
         plotter = self.plotter
-        opacity = arguments.number_of("opacity", opacity, 0.0, 1.0)
-        specular = arguments.number_of("specular", specular, 0.0, 1.0)
-        power = arguments.number_of("specular_power", specular_power, 0.0, 128.0)
-        plain = pv.Color(arguments.color_of("color", color), default_color=pv.global_theme.color)
-        look = {
-            "scalars": scalars,
-            "rgb": rgb,
-            "cmap": cmap,
-            "clim": clim,
-            "log_scale": log_scale,
-            "color": color,
-        }
-        words = {
-            "dimensions": 128 if dimensions is None and spacing is None else dimensions,
-            "spacing": spacing,
-            "kernel": kernel,
-            "weights": weights,
-            "count": count,
-            "relative_error": relative_error,
-            "bounds": bounds,
-        }
-        balls = Metaballs(arguments.packing_of(packing), threshold, coloring, look, words)
-        mapper = pv.DataSetMapper(balls.surface)
-        mapper.SetScalarModeToUsePointFieldData()
-        mapper.SelectColorArray("color")
-        mapper.SetColorModeToDirectScalars()
-        mapper.scalar_visibility = coloring is not None and color is None
-        actor = balls.actor = pv.Actor(mapper=mapper)
-        actor.prop.color, actor.prop.opacity = plain, opacity
-        actor.prop.specular, actor.prop.specular_power = specular, power
-        actor.prop.interpolation = "phong"
+        opacity = checks.number_of("opacity", opacity, 0.0, 1.0)
+        specular = checks.number_of("specular", specular, 0.0, 1.0)
+        power = checks.number_of(
+            "specular_power", specular_power, 0.0, checks.LARGEST_SPECULAR_POWER
+        )
+        plain = pv.Color(checks.color_of("color", color), default_color=pv.global_theme.color)
+        if dimensions is None and spacing is None:
+            dimensions = 128
+        options = FieldOptions(dimensions, spacing, kernel, weights, count, relative_error, bounds)
+        look = Look(scalars, rgb, cmap, clim, log_scale, color)
+        balls = Metaballs(packing_of(packing), threshold, coloring, look, options)
+        colored = coloring is not None and color is None
+        actor = balls.actor = actor_of(balls, plain, colored, opacity, specular, power)
         plotter.add_actor(
             actor,
             name=name,

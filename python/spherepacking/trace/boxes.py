@@ -2,9 +2,16 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import pyvista as pv
 
-from .. import checks as arguments
+from .. import checks
+from ..packing import check_radii
+from ..vtk_tools import errors_raised
+
+if TYPE_CHECKING:
+    from ..backend import vtkSpherePackingBoxAlgorithm
 
 
 class BoxesOfPacking:
@@ -29,36 +36,44 @@ class BoxesOfPacking:
         Parameters
         ----------
         boxes : int, default: 15
-            How many leaves there are, 1 or more, unless there are fewer spheres. What lowers the
-            cost most is split first.
+            How many leaves there are, 1 or more, unless there are fewer spheres. The node whose
+            split lowers the cost most is split first.
         depth : int, optional
             Instead of `boxes`, the depth down to which every node of more than one sphere is
             split, 0 for one box around all spheres.
         leaves_only : bool, default: True
-            The boxes of the leaves, instead of those of all nodes.
+            Return the boxes of the leaves, instead of those of all nodes.
         as_lines : bool, default: False
-            Twelve lines a box instead of six quads.
+            Make twelve lines per box instead of six quads.
 
         Returns
         -------
         pyvista.PolyData
-            Six quads (or twelve lines) a box, with the cell arrays ``box_id`` (the node, numbered
-            depth first from 0 for the root), ``depth`` (0 for the root) and ``count`` (spheres in
-            the box). Field arrays: ``build_seconds``, ``memory_bytes``, ``occupied_share`` (volumes
-            of the leaves over that of the root), ``leaf_of_sphere`` (n,), the ``box_id`` of the
-            leaf of every sphere, and ``sah_cost``, the expected number of nodes and spheres that a
-            random ray through the root is tested against (J. Goldsmith and J. Salmon, 1987; J. D.
-            MacDonald and K. S. Booth, 1990). Empty for an empty packing.
+            Six quads (or twelve lines) per box; empty for an empty packing. Cell arrays:
+
+            - ``box_id``: the node, numbered depth first from 0 for the root
+            - ``depth``: 0 for the root
+            - ``count``: number of spheres in the box
+
+            Field arrays:
+
+            - ``build_seconds``, ``memory_bytes``: of the hierarchy
+            - ``occupied_share``: volume of the leaves over that of the root
+            - ``leaf_of_sphere`` (n,): the ``box_id`` of the leaf of each sphere
+            - ``sah_cost``: expected number of nodes and spheres that a random ray through the root
+              is tested against (J. Goldsmith and J. Salmon, "Automatic Creation of Object
+              Hierarchies for Ray Tracing", 1987; J. D. MacDonald and K. S. Booth, "Heuristics for
+              Ray Tracing Using Space Subdivision", 1990)
 
         Raises
         ------
         KeyError
             If there is no point array ``radius``.
         TypeError
-            If `boxes` or `depth` is no integer, or the radii are no real numbers.
+            If `boxes` or `depth` is not an integer, or the radii are not real numbers.
         ValueError
-            If `boxes` is not positive or `depth` negative, if both are given or make more boxes
-            than fit in memory, or if a radius is none.
+            If `boxes` is not positive or `depth` is negative, if both are given or make more boxes
+            than fit in memory, or if a radius is negative or not finite.
 
         Examples
         --------
@@ -73,11 +88,11 @@ class BoxesOfPacking:
             raise ValueError(f"depth: found {depth!r} beside boxes={boxes!r}, expected one of them")
         bvh = vtkSpherePackingBVH()
         if depth is not None:
-            bvh.SetDepth(arguments.count_of("depth", depth, least=0))
+            bvh.SetDepth(checks.count_of("depth", depth, least=0))
         elif boxes is not None:
-            bvh.SetNumberOfBoxes(arguments.count_of("boxes", boxes))
-        bvh.SetLeavesOnly(arguments.flag_of("leaves_only", leaves_only))
-        return self._boxes_of(bvh, as_lines)
+            bvh.SetNumberOfBoxes(checks.count_of("boxes", boxes))
+        bvh.SetLeavesOnly(checks.flag_of("leaves_only", leaves_only))
+        return _boxes_of(bvh, self._packing, as_lines)
 
     def grid_boxes(self, cuts: int = 6, *, as_lines: bool = False) -> pv.PolyData:
         """Boxes of the cells of a uniform grid that spheres touch.
@@ -91,24 +106,31 @@ class BoxesOfPacking:
         cuts : int, default: 6
             How often each axis is cut, 0 or more; there are ``(cuts + 1) ** 3`` cells.
         as_lines : bool, default: False
-            Twelve lines a box instead of six quads.
+            Make twelve lines per box instead of six quads.
 
         Returns
         -------
         pyvista.PolyData
-            Six quads (or twelve lines) a box, with the cell arrays ``box_id`` (the cell, x
-            fastest), ``depth`` (0) and ``count`` (spheres that touch the cell), and the field
-            arrays ``build_seconds``, ``memory_bytes`` and ``occupied_share``. Empty for an empty
-            packing.
+            Six quads (or twelve lines) per box; empty for an empty packing. Cell arrays:
+
+            - ``box_id``: the cell, x fastest
+            - ``depth``: 0
+            - ``count``: number of spheres that touch the cell
+
+            Field arrays:
+
+            - ``build_seconds``, ``memory_bytes``: of the grid
+            - ``occupied_share``: share of the cells that spheres touch
 
         Raises
         ------
         KeyError
             If there is no point array ``radius``.
         TypeError
-            If `cuts` is no integer, or the radii are no real numbers.
+            If `cuts` is not an integer, or the radii are not real numbers.
         ValueError
-            If `cuts` is negative or makes more cells than fit in memory, or a radius is none.
+            If `cuts` is negative or makes more cells than fit in memory, or a radius is negative or
+            not finite.
 
         Examples
         --------
@@ -120,19 +142,18 @@ class BoxesOfPacking:
         from ..backend import vtkSpherePackingGrid
 
         grid = vtkSpherePackingGrid()
-        grid.SetCuts(arguments.count_of("cuts", cuts, least=0))
-        return self._boxes_of(grid, as_lines)
+        grid.SetCuts(checks.count_of("cuts", cuts, least=0))
+        return _boxes_of(grid, self._packing, as_lines)
 
-    def _boxes_of(self, algorithm: object, as_lines: bool) -> pv.PolyData:
-        """Output of a filter from packings to boxes, or a ValueError with its sentence."""
-        from ..vtk_tools import ErrorLog
 
-        if self._packing.n_points:
-            arguments.radii_of(self._packing, "radius")
-        log = ErrorLog(algorithm)
-        algorithm.SetInputData(self._packing)
-        algorithm.SetBoxesAsLines(arguments.flag_of("as_lines", as_lines))
+def _boxes_of(
+    algorithm: vtkSpherePackingBoxAlgorithm, packing: pv.PolyData, as_lines: bool
+) -> pv.PolyData:
+    """Output of a filter from packings to boxes, or an exception."""
+    if packing.n_points:
+        check_radii(packing)
+    algorithm.SetInputData(packing)
+    algorithm.SetBoxesAsLines(checks.flag_of("as_lines", as_lines))
+    with errors_raised(algorithm):
         algorithm.Update()
-        if log.messages:
-            raise ValueError(algorithm.GetErrorMessage() or "\n".join(log.messages))
-        return pv.wrap(algorithm.GetOutput())
+    return pv.wrap(algorithm.GetOutput())

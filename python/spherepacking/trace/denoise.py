@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 def denoiser() -> Callable[..., np.ndarray]:
-    """Return the library's function, or raise an ImportError that says what to install."""
+    """Return Open Image Denoise's function, or raise an ImportError that says what to install."""
     try:
         from pyoidn import denoise
     except (ImportError, OSError) as error:
@@ -38,7 +38,8 @@ def denoised(image: pv.ImageData) -> np.ndarray:
         (pixels, 3), float32, linear.
     """
     width, height, _ = image.dimensions
-    # The library keeps what it was given until the next time: that shall not be VTK's arrays.
+    # Upstream: pyoidn 2.5 keeps what it was given until the next call; copies, so that it keeps no
+    # arrays of VTK alive.
     color, albedo, normal = (
         np.array(image[name], np.float32, subok=False).reshape(height, width, 3)
         for name in ("radiance", "albedo", "normal")

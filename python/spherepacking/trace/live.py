@@ -6,18 +6,30 @@ import _thread
 import threading
 import time
 import weakref
-from typing import TYPE_CHECKING
+from dataclasses import replace
+from typing import TYPE_CHECKING, NamedTuple
 
 import pyvista as pv
 
-from .. import checks as arguments
-from ..accessor import PackingAccessor
+from .. import checks
+from ..packing import modified_times
 
 if TYPE_CHECKING:
-    from ..backend import vtkRenderStepsPass
+    from ..backend import vtkRenderPass, vtkRenderStepsPass
+    from ..look.look import Look
+    from .path_trace import PathOptions, PathTracer
 
 _TICK = 10  # milliseconds between two looks at whether the camera rests
 _REST = 0.03  # seconds after which it does
+
+
+class View(NamedTuple):
+    """What a picture shows, compared by ``==``: its size, the camera and the state of a packing."""
+
+    width: int
+    height: int
+    camera: tuple[float, ...]
+    packing: tuple[object, ...] | None
 
 
 class LivePicture:
@@ -35,12 +47,14 @@ class LivePicture:
         The spheres, drawn by the mapper.
     packing : pyvista.PolyData
         Centres (n, 3) and point array ``radius`` (n,).
-    samples : int
-        Samples a pixel, at the end.
+    tracer : PathTracer
+        Traces the picture; it may have an acceleration structure of the packing already.
+    look : Look
+        What the spheres are coloured by.
+    options : PathOptions
+        Light and quality of the finished picture.
     step : float
         Seconds between two pictures while it becomes better.
-    words : dict
-        Other arguments of ``packing.packing.path_trace``.
     """
 
     def __init__(
@@ -48,9 +62,10 @@ class LivePicture:
         plotter: pv.BasePlotter,
         actor: pv.Actor,
         packing: pv.PolyData,
-        samples: int,
+        tracer: PathTracer,
+        look: Look,
+        options: PathOptions,
         step: float,
-        words: dict[str, object],
     ) -> None:
         from ..backend import vtkSpherePackingPicturePass
 
@@ -60,25 +75,24 @@ class LivePicture:
         self.error: Exception | None = None
         """What stopped the tracing in the last rendering, which shows the mapper's spheres."""
         self._plotter = weakref.ref(plotter)
-        self._renderer = plotter.renderer
-        self._packing = packing
-        self._spheres = PackingAccessor(packing)
-        self._samples, self._step, self._words = samples, step, words
+        self._renderer: pv.Renderer | None = plotter.renderer
+        self._packing: pv.PolyData | None = packing
+        self._tracer: PathTracer | None = tracer
+        self._look, self._options, self._step = look, options, step
         self._picture = vtkSpherePackingPicturePass()
-        self._steps = _steps_with(self._picture)
-        self._renderer.SetPass(self._steps)
-        # What the picture that is shown was made of, and what the last rendering was of.
-        self._view: tuple[object, ...] | None = None
-        self._last: tuple[object, ...] | None = None
-        self._moved = 0.0
+        self._steps = steps_with(self._picture)
+        plotter.renderer.SetPass(self._steps)
+        self._shown_view: View | None = None
+        self._rendered_view: View | None = None
+        self._moved = 0.0  # when the view last differed from that of the rendering before
         self._complete = False
-        self._tags = [(self._renderer, self._renderer.AddObserver("StartEvent", self._before))]
-        self._timer = None
+        self._tags = [(plotter.renderer, plotter.renderer.AddObserver("StartEvent", self._before))]
+        self._timer: int | None = None
 
     @property
     def shown(self) -> bool:
         """Whether there is a picture of the present view, be it a preview."""
-        return self._view is not None and self._view == self._present()
+        return self._shown_view is not None and self._shown_view == self._present_view()
 
     @property
     def finished(self) -> bool:
@@ -103,28 +117,26 @@ class LivePicture:
         RuntimeError
             If it has been closed.
         """
-        if self._renderer is None:
+        if self._renderer is None or self._tracer is None or self._packing is None:
             raise RuntimeError("this picture has been closed, make a new one")
-        image = self._spheres.path_trace(
+        image = self._tracer.trace(
+            self._packing,
             self._renderer.camera,
             self._renderer.GetSize(),
-            samples=self._samples,
-            time_budget=seconds,
-            preview=seconds is not None,
-            sky_visible=False,
-            **self._words,
+            self._look,
+            replace(self._options, time_budget=seconds, preview=seconds is not None),
         )
-        # These two alone, since the tracer goes on with copies of all that is still held.
+        # These two alone, since the tracer goes on with copies of all arrays that anyone still has.
         picture = pv.ImageData(dimensions=image.dimensions)
         for name in ("color", "depth"):
             picture.GetPointData().AddArray(image.GetPointData().GetArray(name))
         self._picture.SetPicture(picture)
-        # Not before: VTK may have learned of changes only now.
-        self._view = self._present()
+        # After tracing, which may have told VTK of changes.
+        self._shown_view = self._present_view()
         self.samples = int(image["samples"].min())
         # With a noise target parts of the picture get fewer.
         nothing_left = seconds is None or image.field_data["traced_samples"][0] == 0.0
-        self._complete = self.samples >= self._samples or nothing_left
+        self._complete = self.samples >= self._options.samples or nothing_left
         return self.samples
 
     def close(self) -> None:
@@ -144,33 +156,31 @@ class LivePicture:
         if window is not None:
             self._picture.ReleaseGraphicsResources(window)
         self.actor.mapper.SetDrawn(True)
-        self._view = self._renderer = self._spheres = self._packing = None
+        self._shown_view = self._renderer = self._tracer = self._packing = None
 
     @property
     def abandoned(self) -> bool:
         """Whether the actor is no longer in the scene."""
         return self._renderer is None or not self._renderer.HasViewProp(self.actor)
 
-    def _present(self) -> tuple[object, ...] | None:
-        """What a picture depends on."""
-        if self._renderer is None:
+    def _present_view(self) -> View | None:
+        """What a picture of now would show."""
+        if self._renderer is None or self._packing is None:
             return None
         camera, (width, height) = self._renderer.camera, self._renderer.GetSize()
         projection = camera.GetProjectionTransformMatrix(width / max(height, 1), -1.0, 1.0)
-        placing = camera.GetModelViewTransformMatrix()
+        model_view = camera.GetModelViewTransformMatrix()
         # The third row of the projection is the depth between the clipping planes.
-        lines = [(projection, i) for i in (0, 1, 3)] + [(placing, i) for i in range(3)]
-        numbers = tuple(matrix.GetElement(i, j) for matrix, i in lines for j in range(4))
-        points = self._packing.GetPoints()
-        changes = (
-            points.GetMTime(),
-            points.GetData().GetMTime(),
-            self._packing.GetPointData().GetMTime(),
-        )
-        return (width, height, numbers, changes)
+        rows = [(projection, i) for i in (0, 1, 3)] + [(model_view, i) for i in range(3)]
+        numbers = tuple(matrix.GetElement(i, j) for matrix, i in rows for j in range(4))
+        times = modified_times(self._packing)
+        state = None if times is None else (times.geometry, times.arrays)
+        return View(width, height, numbers, state)
 
     def _usable(self) -> bool:
         """Whether a picture can stand for the actor, and is asked for."""
+        if self._renderer is None:
+            return False
         if self._renderer.GetPass() is None:
             # Another pass has come and gone.
             self._renderer.SetPass(self._steps)
@@ -187,9 +197,9 @@ class LivePicture:
         plotter = self._plotter()
         if plotter is None or self._renderer is None:
             return
-        present = self._present()
-        if present != self._last:
-            self._last, self._moved = present, time.perf_counter()
+        present = self._present_view()
+        if present != self._rendered_view:
+            self._rendered_view, self._moved = present, time.perf_counter()
         usable = self._usable()
         if not plotter.off_screen:
             self._start_timer(plotter)
@@ -199,7 +209,7 @@ class LivePicture:
         self.actor.mapper.SetDrawn(not shown)
         if not shown:
             self._picture.SetPicture(None)
-            self._view = None
+            self._shown_view = None
             self.samples = 0
 
     def _start_timer(self, plotter: pv.BasePlotter) -> None:
@@ -213,24 +223,27 @@ class LivePicture:
         plotter = self._plotter()
         if plotter is None or self._renderer is None or self.error is not None:
             return
-        rests = self._present() == self._last and time.perf_counter() - self._moved >= _REST
+        same = self._present_view() == self._rendered_view
+        rests = same and time.perf_counter() - self._moved >= _REST
         if rests and self._usable() and not self.finished:
             self._refine_in_vtk(self._step)
             plotter.render()
 
     def _refine_in_vtk(self, seconds: float | None) -> None:
-        """Refine while VTK calls, which ends the process at an exception of Ctrl-C."""
+        """Refine inside a call of VTK, and let no exception leave it."""
         self.error = None
         try:
             self.refine(seconds)
         except KeyboardInterrupt:
-            # Again when VTK has returned.
+            # Upstream: VTK's vtkPythonCommand ends the process when KeyboardInterrupt leaves an
+            # observer: https://github.com/marcomusy/vedo/issues/1101. So it comes once more, when
+            # VTK has returned.
             threading.Timer(0.3, _thread.interrupt_main).start()
         except (KeyError, OSError, TypeError, ValueError) as error:
             self.error = error
 
 
-def _steps_with(picture: object) -> vtkRenderStepsPass:
+def steps_with(picture: vtkRenderPass) -> vtkRenderStepsPass:
     """VTK's own steps of rendering, with a picture after the opaque props."""
     from ..backend import (
         vtkOpaquePass,
@@ -249,14 +262,15 @@ def _steps_with(picture: object) -> vtkRenderStepsPass:
     return steps
 
 
-def check_live(plotter: pv.BasePlotter, samples: int, step: float) -> tuple[int, float]:
-    """Check what concerns the plotter, before it changes."""
+def check_no_pass(plotter: pv.BasePlotter) -> None:
+    """Raise a ValueError if the plotter has a render pass of its own."""
     if plotter.renderer.GetPass() is not None:
         raise ValueError(
             "the plotter's render pass: found one, expected none: a path-traced picture goes "
             "neither with another one nor with SSAO, SSAA, depth of field and the like"
         )
-    return (
-        arguments.count_of("samples", samples),
-        arguments.number_of("step", step, 0.001, 60.0),
-    )
+
+
+def check_step(step: float) -> float:
+    """Seconds of a step, or a ValueError."""
+    return checks.number_of("step", step, *checks.STEP_LIMITS)

@@ -8,18 +8,19 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 import pyvista as pv
 
-from ..checks import number_of
+from ..checks import RADIANCE_LIMITS, number_of
 from ..files.image import read_image
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from numpy.typing import ArrayLike
+
     from ..backend import vtkSpherePackingPathTracer
 
+    SkyLike = float | ArrayLike | str | os.PathLike[str]
 
-_IMAGES = ("float16", "float32", "float64", "uint8", "uint16")
-# Whose square is a number in single precision.
-_MOST = 1e15
+_PIXEL_TYPES = ("float16", "float32", "float64", "uint8", "uint16")
 
 
 class Sun(NamedTuple):
@@ -29,9 +30,10 @@ class Sun(NamedTuple):
     ----------
     direction : sequence of float
         Towards the sun (3,), of any length but 0.
-    radiance : float or sequence of float
-        What it lends to a white surface that faces it, one number or red, green and blue, linear.
-    diameter : float
+    radiance : float or sequence of float, default: 1.0
+        Radiance of a white surface that faces the sun, by its light alone: one number, or red,
+        green and blue, linear.
+    diameter : float, default: 0.53
         Angle in degrees, from 0 to 180; the larger, the softer the shadows' edges.
 
     Examples
@@ -62,7 +64,7 @@ class Sky(NamedTuple):
     pixels: np.ndarray | None = None
 
 
-def sky_of(sky: object) -> Sky:
+def sky_of(sky: SkyLike) -> Sky:
     """`sky` as the light of a sky, or an exception that starts with its name.
 
     Parameters
@@ -81,7 +83,7 @@ def sky_of(sky: object) -> Sky:
         numeric = False
     if numeric and values.shape in ((2,), (2, 3)):
         return Sky(*(_radiance_of("sky", value) for value in values.tolist()))
-    if numeric and values.ndim == 3 and values.dtype not in _IMAGES:
+    if numeric and values.ndim == 3 and values.dtype not in _PIXEL_TYPES:
         raise TypeError(
             f"sky: found an image of {values.dtype}, expected floats, or uint8 or uint16 over "
             "their whole range"
@@ -97,7 +99,7 @@ def sky_of(sky: object) -> Sky:
     )
 
 
-def sun_of(sun: object) -> Sun | None:
+def sun_of(sun: Sun | Sequence[float] | None) -> Sun | None:
     """`sun` as a Sun, or an exception that starts with its name; None stays None."""
     if sun is None:
         return None
@@ -118,17 +120,19 @@ def sun_of(sun: object) -> Sun | None:
     )
 
 
-def _radiance_of(name: str, value: object) -> tuple[float, float, float]:
+def _radiance_of(name: str, value: ArrayLike) -> tuple[float, float, float]:
+    low, high = RADIANCE_LIMITS
     try:
         values = np.broadcast_to(np.asarray(value, dtype=float), 3)
     except (TypeError, ValueError):
         values = np.full(3, np.nan)
-    if not ((values >= 0.0) & (values <= _MOST)).all():
+    if not ((values >= low) & (values <= high)).all():
         raise ValueError(
-            f"{name}: found {value!r}, expected a number from 0 to {_MOST:g}, or three of them for "
-            "red, green and blue"
+            f"{name}: found {value!r}, expected a number from {low:g} to {high:g}, or three of "
+            "them for red, green and blue"
         )
-    return tuple(values.tolist())
+    red, green, blue = values.tolist()
+    return red, green, blue
 
 
 def _linear(pixels: np.ndarray) -> np.ndarray:
@@ -145,25 +149,28 @@ def _linear(pixels: np.ndarray) -> np.ndarray:
 
 
 def _checked(pixels: np.ndarray, where: str) -> np.ndarray:
-    wrong = pixels[~((pixels >= 0.0) & (pixels <= _MOST))]
+    low, high = RADIANCE_LIMITS
+    wrong = pixels[~((pixels >= low) & (pixels <= high))]
     if wrong.size:
-        raise ValueError(f"sky: found {wrong[0]} in {where}, expected numbers from 0 to {_MOST:g}")
+        raise ValueError(
+            f"sky: found {wrong[0]} in {where}, expected numbers from {low:g} to {high:g}"
+        )
     return pixels
 
 
 def set_sky(tracer: vtkSpherePackingPathTracer, sky: Sky) -> None:
-    """Hand the light over to a tracer, which starts again if it is another one."""
+    """Set the light of a tracer; its picture starts again if that is another one."""
     tracer.SetSkyBottom(sky.bottom)
     tracer.SetSkyTop(sky.top)
     if sky.pixels is None:
         tracer.SetSkyImage(None)
         return
     height, width, _ = sky.pixels.shape
-    there = tracer.GetSkyImage()
+    before = tracer.GetSkyImage()
     values = sky.pixels[::-1].reshape(-1, 3)
-    if there is not None and there.GetDimensions() == (width, height, 1):
-        kept = pv.convert_array(there.GetPointData().GetScalars())
-        if np.array_equal(kept, values):
+    if before is not None and before.GetDimensions() == (width, height, 1):
+        radiance = pv.convert_array(before.GetPointData().GetScalars())
+        if np.array_equal(radiance, values):
             return
     image = pv.ImageData(dimensions=(width, height, 1))
     image.point_data["radiance"] = values
@@ -172,7 +179,7 @@ def set_sky(tracer: vtkSpherePackingPathTracer, sky: Sky) -> None:
 
 
 def set_sun(tracer: vtkSpherePackingPathTracer, sun: Sun | None) -> None:
-    """Hand a sun over to a tracer, or none."""
+    """Set the sun of a tracer, or none."""
     if sun is None:
         tracer.SetSunRadiance(0.0, 0.0, 0.0)
         return
