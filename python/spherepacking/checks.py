@@ -17,7 +17,6 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from numpy.typing import ArrayLike
-    from pyvista import MatrixLike, TransformLike
     from pyvista.plotting._typing import ColorLike
 
 
@@ -155,7 +154,7 @@ def per_sphere(name: str, values: ArrayLike, count: int) -> np.ndarray:
     return array
 
 
-def similarity_of(matrix: TransformLike | MatrixLike[float] | None) -> np.ndarray:
+def similarity_of(matrix: ArrayLike | None) -> np.ndarray:
     """Check a transformation: rotation, mirroring, translation and one scale keep spheres round.
 
     Parameters

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import fields, replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 import numpy as np
 import pyvista as pv
@@ -90,7 +90,7 @@ class PackingComponent(MetaballsOfPlotter):
         below_color: ColorLike | None = None,
         above_color: ColorLike | None = None,
         show_scalar_bar: bool | None = None,
-        scalar_bar_args: dict | None = None,
+        scalar_bar_args: dict[str, Any] | None = None,
         lighting: bool | None = None,
         ambient: float | None = None,
         diffuse: float | None = None,
@@ -282,7 +282,7 @@ class PackingComponent(MetaballsOfPlotter):
         log_scale: bool = False,
         color: ColorLike | None = None,
         show_scalar_bar: bool | None = None,
-        scalar_bar_args: dict | None = None,
+        scalar_bar_args: dict[str, Any] | None = None,
         name: str | None = None,
         reset_camera: bool | None = None,
         **light: Any,
@@ -409,12 +409,15 @@ class PackingComponent(MetaballsOfPlotter):
         # Upstream: PyVista 0.49's screenshot does not render again, and would miss what has changed
         # since the last rendering.
         self.plotter.render()
-        pixels = self.plotter.screenshot(
-            None,
-            return_img=True,
-            transparent_background=transparent_background,
-            window_size=window_size,
-            scale=scale,
+        pixels = cast(
+            "np.ndarray",
+            self.plotter.screenshot(
+                None,
+                return_img=True,
+                transparent_background=transparent_background,
+                window_size=window_size,
+                scale=scale,
+            ),
         )
         for renderer in self.plotter.renderers:
             for actor in renderer.actors.values():
@@ -480,7 +483,7 @@ def _mapper(
         mapper.set_custom_opacity(opacity.each, color=color, n_colors=color_map.n_colors)
         return mapper
     if opacity.each is not None:
-        color_map = replace(color_map, clim=widened(scalars, color_map))
+        color_map = replace(color_map, clim=widened(scalars.values, color_map))
     mapper.set_scalars(
         scalars.values,
         scalars.name,

@@ -9,23 +9,46 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING, Protocol
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Callable, Iterator
     from types import FrameType, TracebackType
-    from typing import Self
+    from typing import Any, Self
 
+    import pyvista as pv
     from rich.progress import Progress, TaskID
 
-    from .backend import vtkAlgorithm
+    from .backend import vtkRenderWindow
 
 
-class ReportingAlgorithm(Protocol):
-    """An algorithm of this package: a vtkAlgorithm that keeps what it reported last."""
+class Algorithm(Protocol):
+    """What the algorithms of this package have in common: a vtkAlgorithm that keeps its error."""
+
+    def AddObserver(self, event: str, observer: Callable[..., None], /) -> int:
+        """Call `observer` at an event, and return a tag."""
+
+    def RemoveObserver(self, tag: int, /) -> None:
+        """Remove the observer of that tag."""
+
+    def GetExecutive(self) -> Any:
+        """Return the object that updates the pipeline."""
 
     def GetErrorMessage(self) -> str | None:
         """Return the sentence that says what went wrong; empty or None if nothing did."""
 
+    def GetProgress(self) -> float:
+        """Return how much is done, from 0 to 1."""
+
+    def SetAbortExecute(self, stop: int, /) -> None:
+        """Ask it to stop."""
+
     def Update(self) -> None:
         """Run it, unless its output is up to date."""
+
+
+def window_of(plotter: pv.BasePlotter) -> vtkRenderWindow:
+    """The window of a plotter, or a RuntimeError once it has been closed."""
+    if plotter.render_window is None:
+        raise RuntimeError("this plotter has been closed, make a new one")
+    return plotter.render_window
 
 
 class ErrorLog:
@@ -49,7 +72,7 @@ class ErrorLog:
     # Tells VTK's Python layer to pass the text on.
     CallDataType = "string0"
 
-    def __init__(self, algorithm: vtkAlgorithm) -> None:
+    def __init__(self, algorithm: Algorithm) -> None:
         self.messages: list[str] = []
         self._sources = (algorithm, algorithm.GetExecutive())
         self._tags: list[int] = []
@@ -73,9 +96,7 @@ class ErrorLog:
 
 
 @contextmanager
-def errors_raised(
-    algorithm: ReportingAlgorithm, error: type[Exception] = ValueError
-) -> Iterator[None]:
+def errors_raised(algorithm: Algorithm, error: type[Exception] = ValueError) -> Iterator[None]:
     """Raise what an algorithm reports in the block, instead of printing it.
 
     Parameters
@@ -92,7 +113,7 @@ def errors_raised(
         raise error(message)
 
 
-def update(algorithm: ReportingAlgorithm, label: str, *, progress: bool) -> None:
+def update(algorithm: Algorithm, label: str, *, progress: bool) -> None:
     """Run an algorithm of this package.
 
     Parameters
@@ -127,7 +148,7 @@ class _Bar:
         self.task: TaskID | None = None
         self.interrupted = False
 
-    def __call__(self, algorithm: vtkAlgorithm, _event: str) -> None:
+    def __call__(self, algorithm: Algorithm, _event: str) -> None:
         if self.interrupted:
             algorithm.SetAbortExecute(1)
             return  # VTK reports a progress of 1 when it stops
@@ -144,8 +165,9 @@ class _Bar:
 
     def interrupt(self, _signal: int, _frame: FrameType | None) -> None:
         # Upstream: VTK's vtkPythonCommand ends the process ("Caught a Ctrl-C within python, exiting
-        # program") when KeyboardInterrupt leaves an observer: https://github.com/marcomusy/vedo/issues/1101.
-        # So the algorithm is asked to stop, and the exception comes after that.
+        # program") when KeyboardInterrupt leaves an observer:
+        # https://github.com/marcomusy/vedo/issues/1101. So the algorithm is asked to stop, and the
+        # exception comes after that.
         self.interrupted = True
 
     def stop(self) -> None:
@@ -154,7 +176,7 @@ class _Bar:
 
 
 @contextmanager
-def progress_bar(algorithm: vtkAlgorithm, label: str, delay: float | None = 0.0) -> Iterator[None]:
+def progress_bar(algorithm: Algorithm, label: str, delay: float | None = 0.0) -> Iterator[None]:
     """Let Ctrl-C stop an algorithm that runs in the block, and show its progress on stderr.
 
     Parameters

@@ -62,13 +62,14 @@ if TYPE_CHECKING:
     # signatures alone.
     from vtkmodules.vtkCommonCore import reference, vtkDataArray
     from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData
-    from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkStreamingDemandDrivenPipeline
+    from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
     from vtkmodules.vtkFiltersCore import vtkFlyingEdges3D
     from vtkmodules.vtkRenderingCore import (
         vtkCamera,
         vtkGlyph3DMapper,
-        vtkMapper,
+        vtkPolyDataMapper,
         vtkRenderPass,
+        vtkRenderWindow,
     )
     from vtkmodules.vtkRenderingOpenGL2 import (
         vtkOpaquePass,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from contextlib import suppress
+from functools import partial
 from typing import TYPE_CHECKING
 
 from . import peers
@@ -27,26 +28,13 @@ def _add_spheres(
 
 def own() -> list[Technique]:
     """Return the techniques of this package."""
-    made = [Technique("OpenGL", "", 1, lambda *view: Window(*view, _add_spheres))]
+    made = [Technique("OpenGL", "", 1, partial(Window, add=_add_spheres))]
     for structure, samples in (("bvh", 1), ("bvh", 2), ("bvh", 3), ("grid", 1), ("none", 1)):
-        made.append(
-            Technique(
-                "ray cast",
-                structure,
-                samples**2,
-                lambda *view, how=(structure, samples): RayCast(*view, *how),
-            )
-        )
+        cast = partial(RayCast, structure=structure, samples=samples)
+        made.append(Technique("ray cast", structure, samples**2, cast))
     for samples in PATH_SAMPLES:
-        made.append(
-            Technique(
-                "path trace",
-                "bvh",
-                samples,
-                lambda *view, samples=samples: PathTrace(*view, "bvh", samples),
-                once=True,
-            )
-        )
+        trace = partial(PathTrace, structure="bvh", samples=samples)
+        made.append(Technique("path trace", "bvh", samples, trace, once=True))
     return made
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ctypes
 import os
 import time
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -126,7 +127,7 @@ def techniques() -> list[Technique]:
             "Embree",
             "single" if packet == 1 else f"packets of {packet}",
             1,
-            lambda *view, packet=packet: Embree(*view, packet),
+            partial(Embree, packet=packet),
         )
         for packet in PACKETS
     ]

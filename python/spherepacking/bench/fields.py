@@ -7,6 +7,7 @@ import dataclasses
 import io
 import statistics
 import time
+from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -53,7 +54,7 @@ class FieldRow:
     """The largest distance that was found."""
 
 
-def _timed(work: Callable[[], object], turns: int) -> tuple[float, object]:
+def _timed[Made](work: Callable[[], Made], turns: int) -> tuple[float, Made]:
     """Median time of some turns after one that does not count, and what the last one made."""
     seconds = []
     for _ in range(turns + 1):
@@ -99,26 +100,22 @@ def measure(
             if tolerance == 0.0 and count * GRID**3 / _PAIRS > limit:
                 continue
             tick(f"{count} spheres: field to {tolerance:g}")
-            seconds, image = _timed(
-                lambda s=spheres, e=tolerance: s.metaball_field(GRID, relative_error=e), turns
-            )
+            work = partial(spheres.metaball_field, GRID, relative_error=tolerance)
+            seconds, image = _timed(work, turns)
             error = field_error(packing, image)
             yield FieldRow("field", count, GRID, tolerance, seconds, field_error=error)
     if LABELS[1] not in labels:
         return
     packing = knot_tube(_SPHERES)
+    spheres = PackingAccessor(packing)
+    contour = partial(spheres.metaballs, THRESHOLD, kernel="inverse_square", coloring=None)
     for grid in GRIDS:
         tick(f"surface on a grid of {grid}")
-        seconds, surface = _timed(
-            lambda g=grid: PackingAccessor(packing).metaballs(
-                THRESHOLD, dimensions=g, kernel="inverse_square", coloring=None
-            ),
-            turns,
-        )
+        seconds, surface = _timed(partial(contour, dimensions=grid), turns)
         spacing = max(
-            PackingAccessor(packing)
-            .metaball_field(grid, kernel="inverse_square", threshold=THRESHOLD, relative_error=0.1)
-            .spacing
+            spheres.metaball_field(
+                grid, kernel="inverse_square", threshold=THRESHOLD, relative_error=0.1
+            ).spacing
         )
         away = distances(packing, surface, THRESHOLD) / spacing
         yield FieldRow(

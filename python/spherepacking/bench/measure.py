@@ -5,7 +5,7 @@ from __future__ import annotations
 import statistics
 import time
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypedDict
 
 import numpy as np
 
@@ -86,8 +86,17 @@ def expect(packing: pv.PolyData, camera: pv.Camera, size: tuple[int, int]) -> Ex
     return Expected(picture.sphere_id, near + picture.t * (far - near))
 
 
-def errors_of(seen: Seen, expected: Expected) -> dict[str, float]:
-    """Compare what a technique shows with what float64 rays see; keys are fields of `Row`."""
+class PixelErrors(TypedDict):
+    """How the pixels of a technique differ from float64 rays, as in `Row`."""
+
+    hit_pixels: int
+    wrong_pixels: int
+    depth_median: float
+    depth_most: float
+
+
+def errors_of(seen: Seen, expected: Expected) -> PixelErrors:
+    """Compare what a technique shows with what float64 rays see."""
     hit = expected.sphere_id >= 0
     right = seen.sphere_id == expected.sphere_id
     both = right & hit
@@ -132,7 +141,7 @@ def take_turns(subjects: Sequence[Subject], turns: int, limit: float) -> list[li
         Seconds of the frames that count, of each subject.
     """
     first = [_timed(subject.frame) for subject in subjects]
-    times = [[] for _ in subjects]
+    times: list[list[float]] = [[] for _ in subjects]
     for turn in range(turns):
         for subject, seconds, own in zip(subjects, first, times, strict=True):
             if (turn + 2) * seconds <= limit:
@@ -227,15 +236,13 @@ def _rows(
             if exact is None:
                 exact = _smooth(packing, camera, seen.color.shape[1::-1])
             error = color_error(seen.color, exact)
-        light_error = {}
+        relative_mse = flip = np.nan
         if hasattr(subject, "light"):
             if bright is None:
                 bright = light.reference(packing, camera, size)
             image = subject.light(light.size_of_reference(size))
-            light_error = {
-                "relative_mse": light.relative_mse(image["radiance"], bright["radiance"]),
-                "flip": light.flip(image, bright),
-            }
+            relative_mse = light.relative_mse(image["radiance"], bright["radiance"])
+            flip = light.flip(image, bright)
         rows.append(
             Row(
                 technique=technique.name,
@@ -248,7 +255,8 @@ def _rows(
                 bytes_per_sphere=subject.memory_bytes / packing.n_points,
                 color_error=error,
                 **errors_of(seen, expected),
-                **light_error,
+                relative_mse=relative_mse,
+                flip=flip,
             )
         )
     return rows

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -12,6 +13,8 @@ from .window import Window
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
+
+    from ..backend import vtkGlyph3DMapper, vtkPolyDataMapper
 
 _DISC = """//VTK::Color::Impl
   if (dot(offsetVCVSOutput, offsetVCVSOutput) > 1.0) discard;
@@ -58,7 +61,7 @@ def _add_meshes(
 
 def _add(
     plotter: pv.Plotter,
-    mapper: object,
+    mapper: vtkPolyDataMapper | vtkGlyph3DMapper,
     packing: pv.PolyData,
     colors: NDArray[np.uint8] | None,
 ) -> None:
@@ -86,7 +89,4 @@ def vtk() -> list[Technique]:
     ways = {"VTK discs": add_discs, "VTK meshes of 8 × 8": _add_meshes}
     if vtkOpenGLSphereMapper is not None:
         ways["VTK sphere mapper"] = _add_sphere_mapper
-    return [
-        Technique(name, "", 1, lambda *view, add=add: Window(*view, add))
-        for name, add in ways.items()
-    ]
+    return [Technique(name, "", 1, partial(Window, add=add)) for name, add in ways.items()]

@@ -9,6 +9,7 @@ import pyvista as pv
 
 from ..testing import accuracy
 from ..testing.scenes import depths_of
+from ..vtk_tools import window_of
 from .technique import Seen
 
 if TYPE_CHECKING:
@@ -47,9 +48,10 @@ class Window:
 
     def frame(self) -> None:
         """Render and wait until it is done."""
-        self._plotter.render_window.MakeCurrent()
+        window = window_of(self._plotter)
+        window.MakeCurrent()
         self._plotter.render()
-        self._plotter.render_window.WaitForCompletion()
+        window.WaitForCompletion()
 
     def seen(self) -> Seen:
         """Draw once more, in colours that say which sphere it is."""
@@ -72,9 +74,9 @@ def _show(
     add: AddPacking,
     colors: Callable[[int], NDArray[np.uint8]] | None,
 ) -> pv.Plotter:
-    plotter = pv.Plotter(off_screen=True, window_size=size, lighting="none")
-    plotter.render_window.SetMultiSamples(0)
-    plotter.set_background("black")
+    plotter = pv.Plotter(off_screen=True, window_size=list(size), lighting="none")
+    window_of(plotter).SetMultiSamples(0)
+    plotter.background_color = pv.Color("black")
     plotter.add_light(pv.Light(light_type="headlight"))
     add(plotter, packing, None if colors is None else colors(packing.n_points))
     plotter.camera.position = camera.position

@@ -86,16 +86,16 @@ def aim(
         )
     view = np.subtract(focal, position)
     if up is None:
-        up = (0.0, 1.0, 0.0) if _parallel(view, camera.up) else camera.up
+        up = (0.0, 1.0, 0.0) if _parallel(view, np.asarray(camera.up)) else camera.up
     elif not any(up):
         raise ValueError("--up: found 0 0 0, expected a direction")
     # Large and tiny numbers would not survive being squared.
-    up = np.divide(up, np.max(np.abs(up)))
-    if _parallel(view, up):
+    direction = np.divide(up, np.max(np.abs(up)))
+    if _parallel(view, direction):
         raise ValueError("--up: found the direction of view, expected another one")
     camera.focal_point = focal
     camera.position = position
-    camera.up = up
+    camera.up = direction
 
 
 def _text_of(vector: Vector) -> str:

@@ -11,12 +11,15 @@ from ..checks import color_of
 from ..files.image import check_output
 from ..files.readers import read
 from ..look.look import Look
+from ..vtk_tools import window_of
 from .camera import aim, check_extent, fit
 from .options import check_technique, check_view
 from .techniques import add_boxes, add_metaballs, save_path_trace, save_ray_cast
 
 if TYPE_CHECKING:
     from pathlib import Path
+
+    from pyvista.plotting._typing import ColorLike
 
     from .options import RenderOptions
 
@@ -55,7 +58,7 @@ def render(path: Path, options: RenderOptions) -> None:
     plotter = pv.Plotter(off_screen=True, window_size=list(options.size))
     try:
         if options.background is not None:
-            plotter.set_background(color_of("--background", options.background))
+            plotter.background_color = color_of("--background", options.background)
         _set_quality(plotter, options)
         look = _look_of(plotter, packing, options)
         shown = _add(plotter, packing, look, options)
@@ -88,12 +91,12 @@ def _set_quality(plotter: pv.Plotter, options: RenderOptions) -> None:
     if options.opacity < 1.0:
         # Upstream: VTK's depth peeling goes neither with multisampling on Mesa, see
         # https://github.com/pyvista/pyvista/issues/4867, nor with vtkSSAAPass.
-        plotter.render_window.SetMultiSamples(1)
-        plotter.enable_depth_peeling()
+        window_of(plotter).SetMultiSamples(1)
+        plotter.enable_depth_peeling()  # type: ignore[call-arg]  # PyVista's wraps() shows `self`
     if options.anti_aliasing and options.opacity < 1.0:
         # Upstream: with EGL and OSMesa PyVista's enable_anti_aliasing("fxaa") warns, and takes
         # SSAA: https://github.com/pyvista/pyvista/pull/2694.
-        plotter.render_window.SetMultiSamples(0)
+        window_of(plotter).SetMultiSamples(0)
         plotter.renderer.SetUseFXAA(True)
     elif options.anti_aliasing:
         plotter.enable_anti_aliasing("ssaa")
@@ -101,7 +104,8 @@ def _set_quality(plotter: pv.Plotter, options: RenderOptions) -> None:
 
 def _look_of(plotter: pv.Plotter, packing: pv.PolyData, options: RenderOptions) -> Look:
     """The look that was asked for, and else one that suits the radii."""
-    scalars, color, clim = options.scalars, options.color, options.clim
+    scalars, clim = options.scalars, options.clim
+    color: ColorLike | None = options.color
     if scalars is not None and scalars not in packing.point_data:
         there = ", ".join(packing.point_data.keys())
         raise ValueError(f"--scalars: found no array {scalars!r}, expected one of: {there}")
@@ -167,5 +171,5 @@ def _aim(
         room = 110.0 / options.size[1] if len(plotter.scalar_bars) else 0.04
         fit(camera, shown, options.size, max(1.0 - 2.0 * room, 0.5))
     if options.parallel:
-        plotter.enable_parallel_projection()
+        plotter.enable_parallel_projection()  # type: ignore[call-arg]  # as enable_depth_peeling
     camera.zoom(options.zoom)

@@ -11,8 +11,11 @@ from ..backend import vtkOpenGLSpherePackingMapper
 if TYPE_CHECKING:
     from pyvista.plotting.themes import Theme
 
-# The half of DataSetMapper that is written in Python: scalars, lookup table, scalar range.
-_PythonHalf = pv.DataSetMapper.__bases__[0]
+if TYPE_CHECKING:
+    _PythonHalf = pv.DataSetMapper
+else:
+    # The half of DataSetMapper that is written in Python: scalars, lookup table, scalar range.
+    _PythonHalf = pv.DataSetMapper.__bases__[0]
 
 
 class SpherePackingMapper(_PythonHalf, vtkOpenGLSpherePackingMapper):

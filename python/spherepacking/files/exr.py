@@ -79,7 +79,8 @@ def write_render(path: str | os.PathLike[str], image: pv.ImageData) -> None:
     if path.suffix.lower() != ".exr":
         write_image(path, opaque(np.asarray(image["color"]).reshape(height, width, 4)[::-1]))
         return
-    names, columns = [], []
+    names: list[str] = []
+    columns: list[np.ndarray] = []
     for array, channels in _CHANNELS.items():
         if array in image.point_data:
             names.extend(channels)

@@ -21,7 +21,8 @@ if TYPE_CHECKING:
 _BAR_DELAY = 0.5
 
 
-class SpherePackingReader(pv.BaseReader, pv.TimeReader):
+# PyVista 0.48, which some builds run on, has no generic one.
+class SpherePackingReader(pv.BaseReader, pv.TimeReader):  # type: ignore[type-arg]
     """Reader of sphere packings.
 
     ``pyvista.read`` and ``pyvista.get_reader`` use it for the extensions that PyVista does not
@@ -100,7 +101,7 @@ class SpherePackingReader(pv.BaseReader, pv.TimeReader):
         return self.time_values[time_point]
 
     @property
-    def active_time_value(self) -> float | None:
+    def active_time_value(self) -> float | None:  # type: ignore[override]  # other files have none
         """Return the time step that is read; the first by default, None without any."""
         return next(iter(self.time_values), None) if self._time is None else self._time
 
@@ -130,8 +131,11 @@ class SpherePackingReader(pv.BaseReader, pv.TimeReader):
         """
         # pyvista.read() observes the reader, too, and would log what is raised here.
         self.reader.RemoveObservers("ErrorEvent")
-        bar = progress_bar(self.reader, self._progress_msg) if self._progress_bar else nullcontext()
-        with errors_raised(self.reader, PackingFileError), bar:
+        bar = progress_bar(self.reader, self._progress_msg or "")
+        with (
+            errors_raised(self.reader, PackingFileError),
+            bar if self._progress_bar else nullcontext(),
+        ):
             if self._time is None:
                 self.reader.Update()
             else:

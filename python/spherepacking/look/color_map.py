@@ -96,7 +96,7 @@ def color_map_of(
     if cmap is not None and not isinstance(cmap, pv.LookupTable):
         _check_cmap(cmap)
     _check_annotations(annotations)
-    if scalars.mapped:
+    if scalars.values is not None and scalars.mapped:
         values = _one_component(scalars.values, component)
         kind = values.dtype.kind
         if kind in "bSU" and log_scale:
@@ -205,14 +205,14 @@ def _checked_limits(
     return limits
 
 
-def widened(scalars: Scalars, color_map: ColorMap) -> tuple[float, float] | None:
-    """Range of the colour map, never of a single value.
+def widened(values: np.ndarray, color_map: ColorMap) -> tuple[float, float] | None:
+    """Range of the colour map of scalars, never of a single value.
 
     Upstream: PyVista 0.49's set_scalars divides by the length of the range where each sphere has an
     opacity of its own.
     """
     limits = color_map.clim
-    values = _one_component(scalars.values, color_map.component)
+    values = _one_component(values, color_map.component)
     if values.dtype.kind not in "iuf":
         return limits
     low, high = limits or (float(np.nanmin(values)), float(np.nanmax(values)))

@@ -51,10 +51,10 @@ def scalar_bar_of(
     if args is not None:
         _check_names(args)
     if shown is None:
-        shown = (plotter.theme.show_scalar_bar or args) and not scalars.rgb
+        shown = bool(plotter.theme.show_scalar_bar or args) and not scalars.rgb
     if not shown or scalars.values is None or not len(scalars.values):
         return None
-    kwargs = {"n_colors": n_colors} if args is None else dict(args)
+    kwargs: dict[str, Any] = {"n_colors": n_colors} if args is None else dict(args)
     if scalars.named:
         kwargs.setdefault("title", scalars.name)
     if args:

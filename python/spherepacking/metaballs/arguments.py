@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -120,7 +120,7 @@ def _set_grid(algorithm: vtkMetaballField, options: FieldOptions) -> None:
             raise ValueError(
                 f"bounds: found {bounds!r}, expected x min, x max, y min, y max, z min and z max"
             )
-        algorithm.SetModelBounds(box)
+        algorithm.SetModelBounds(box.tolist())
 
 
 def _relative_error_of(value: float) -> float:
@@ -135,7 +135,7 @@ def _relative_error_of(value: float) -> float:
     return error
 
 
-def _broadcast[Number: (int, float)](value: Sequence[Number] | Number) -> list[Number]:
+def _broadcast(value: Any) -> list[Any]:
     """Broadcast a scalar to x, y, z; else list(value)."""
     several = hasattr(value, "__len__") and getattr(value, "ndim", 1) > 0
     one = isinstance(value, str | bytes) or not several

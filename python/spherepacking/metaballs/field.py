@@ -119,10 +119,10 @@ def mixed(ranges: list[pv.ImageData], weights: Sequence[float]) -> pv.ImageData:
     field["gradient"] = sum(w * part["gradient"] for w, part in zip(weights, ranges, strict=True))
     if "blend" in ranges[0].point_data:
         parts = (
-            (w * part["field"])[:, None] * part["blend"]
+            (w * np.asarray(part["field"]))[:, None] * part["blend"]
             for w, part in zip(weights, ranges, strict=True)
         )
-        mean = sum(parts) / np.where(whole > 0, whole, 1)[:, None]
+        mean = sum(parts) / np.where(np.asarray(whole) > 0, whole, 1)[:, None]
         field["blend"] = np.round(mean).astype(np.uint8)
     field["field"] = whole
     return field

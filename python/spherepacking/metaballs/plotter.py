@@ -23,7 +23,10 @@ if TYPE_CHECKING:
 class MetaballsOfPlotter:
     """Adds surfaces of metaballs to the scene."""
 
-    plotter: pv.BasePlotter
+    @property
+    def plotter(self) -> pv.BasePlotter:
+        """The plotter to add to."""
+        raise NotImplementedError
 
     def add_metaballs(
         self,

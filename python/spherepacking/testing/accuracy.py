@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ..vtk_tools import window_of
+
 if TYPE_CHECKING:
     import pyvista as pv
     from numpy.typing import NDArray
@@ -50,7 +52,7 @@ class Errors:
 
 
 def id_colors(count: int) -> NDArray[np.uint8]:
-    """Return one RGB colour a sphere from which :func:`read` finds the sphere again."""
+    """Return an RGB colour per sphere from which :func:`read` finds the sphere again."""
     if count >= 1 << 24:
         msg = f"{count} spheres do not fit into the {(1 << 24) - 1} colours of a picture"
         raise ValueError(msg)
@@ -60,10 +62,10 @@ def id_colors(count: int) -> NDArray[np.uint8]:
 
 def read(plotter: pv.Plotter) -> Drawn:
     """Read sphere ids and depths from a plotter that shows :func:`id_colors` unlit on black."""
-    window = plotter.render_window
+    window = window_of(plotter)
     width, height = window.GetSize()
-    image = plotter.screenshot(return_img=True, transparent_background=False)
-    codes = image[::-1, :, :3].astype(np.int64) @ [1, 256, 65536]
+    image = np.asarray(plotter.screenshot(return_img=True, transparent_background=False))
+    codes = image[::-1, :, :3].astype(np.int64) @ np.array([1, 256, 65536])
     depth = np.asarray(window_depth(plotter)).reshape(height, width)
     return Drawn(codes - 1, depth.astype(np.float64), window.GetDepthBufferSize())
 
@@ -72,7 +74,7 @@ def window_depth(plotter: pv.Plotter) -> NDArray[np.float32]:
     """Return the depth buffer's values."""
     import pyvista as pv
 
-    window = plotter.render_window
+    window = window_of(plotter)
     width, height = window.GetSize()
     values = pv._vtk.vtkFloatArray()
     window.GetZbufferData(0, 0, width - 1, height - 1, values)

@@ -55,7 +55,8 @@ def field_error(packing: pv.PolyData, image: pv.ImageData) -> float:
     """Largest relative error of an inverse field at random points of its grid."""
     chosen = np.random.default_rng(0).integers(0, image.n_points, POINTS)
     exact, _ = exact_sums(packing, points_of(image, chosen), 1)
-    return float(np.abs(image["field"][chosen] / exact - 1.0).max())
+    values = np.asarray(image["field"])[chosen]
+    return float(np.abs(values / exact - 1.0).max())
 
 
 def distances(packing: pv.PolyData, surface: pv.PolyData, threshold: float) -> NDArray[np.float64]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import threading
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import pyvista as pv
@@ -136,8 +136,10 @@ class PreparedTracer[Tracer: vtkSpherePackingTracer]:
         tracer.SetColor(color.float_rgb)
         if colors is None:
             return
-        if before is not None and np.array_equal(*map(pv.convert_array, (before, colors))):
-            self._colors = colors = before
+        if before is not None:
+            values, known = pv.convert_array(colors), pv.convert_array(before)
+            if np.array_equal(values, known):
+                self._colors = colors = before
         data = packing.copy(deep=False)
         data.GetPointData().AddArray(colors)
         tracer.SetInputData(data)
@@ -146,8 +148,9 @@ class PreparedTracer[Tracer: vtkSpherePackingTracer]:
 
 def _tile_of(tile: Sequence[int] | int | None) -> tuple[int, int]:
     """Width and height of tiles in pixels."""
-    tile = 64 if tile is None else tile
-    sides = (tile, tile) if np.ndim(tile) == 0 else tile
+    sides: Any = 64 if tile is None else tile
+    if np.ndim(sides) == 0:
+        sides = (sides, sides)
     return checks.size_of("tile", sides, most=checks.LARGEST_TRACED_SIDE)
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -80,7 +80,8 @@ class RayCaster:
             width, height = tracer.GetWindowSize()
             x = checks.number_of("x", x, 0.0, width)
             y = checks.number_of("y", y, 0.0, height)
-            t, out = reference(0.0), [0.0, 0.0, 0.0]
+            t: Any = reference(0.0)  # which the stub calls a float
+            out = [0.0, 0.0, 0.0]
             with errors_raised(tracer):
                 sphere = tracer.CastPixel(x, y, t, out)
         if sphere < 0:

@@ -75,14 +75,16 @@ def sky_of(sky: SkyLike) -> Sky:
     if isinstance(sky, str | os.PathLike):
         return Sky(pixels=_checked(_linear(read_image(sky)), str(sky)))
     if isinstance(sky, list | tuple) and len(sky) == 2:
-        return Sky(*(_radiance_of("sky", value) for value in sky))
+        bottom, top = (_radiance_of("sky", value) for value in sky)
+        return Sky(bottom, top)
     try:
         values = np.asarray(sky)
         numeric = values.dtype.kind in "iuf"
     except ValueError:
         numeric = False
     if numeric and values.shape in ((2,), (2, 3)):
-        return Sky(*(_radiance_of("sky", value) for value in values.tolist()))
+        bottom, top = (_radiance_of("sky", value) for value in values.tolist())
+        return Sky(bottom, top)
     if numeric and values.ndim == 3 and values.dtype not in _PIXEL_TYPES:
         raise TypeError(
             f"sky: found an image of {values.dtype}, expected floats, or uint8 or uint16 over "
@@ -184,5 +186,5 @@ def set_sun(tracer: vtkSpherePackingPathTracer, sun: Sun | None) -> None:
         tracer.SetSunRadiance(0.0, 0.0, 0.0)
         return
     tracer.SetSunDirection(sun.direction)
-    tracer.SetSunRadiance(sun.radiance)
+    tracer.SetSunRadiance(np.broadcast_to(sun.radiance, 3).tolist())
     tracer.SetSunDiameter(sun.diameter)
