@@ -55,21 +55,21 @@ def test_random_surfaces(rng, roughness):
 
 
 def test_bunny(data_file, rng):
-    mesh = pv.read(data_file("imb_bunny.obj"))
+    mesh = pv.read(data_file("blob.obj"))
     packing = pack(mesh, 300)
     check_packing(packing, mesh, rng, samples=60)
     assert packing.field_data["volume_fraction"][0] > 0.65
 
 
 def test_pig(data_file, rng):
-    mesh = read_off(data_file("vhacd_pig.off"))
+    mesh = read_off(data_file("blob.off"))
     packing = pack(mesh, 500)
     check_packing(packing, mesh, rng)
     assert packing.field_data["volume_fraction"][0] > 0.7
 
 
 def test_dragon_with_edges_that_many_triangles_share(data_file, rng):
-    mesh = pv.read(data_file("stanford_dragon_vrip_res3.ply"))
+    mesh = pv.read(data_file("cubes.ply"))
     packing = pack(mesh, 300)
     # As scanned it is turned outwards everywhere.
     check_packing(packing, mesh, rng, samples=40)

@@ -310,7 +310,7 @@ def test_render_boxes(file, technique, option, few, many):
     assert 0.0 < dark[0] < dark[1]
 
 
-@pytest.mark.parametrize("name", ["deme_TeddyBear.csv", "voronota_3dlb.xyzr", "apbs_achbp.pqr"])
+@pytest.mark.parametrize("name", ["clump.csv", "atoms.xyzr", "chain.pqr"])
 def test_render_real_input(tmp_path, data_file, name):
     output = tmp_path / "a.png"
     assert main(["render", str(data_file(name)), "-o", str(output), "--size", "200", "200"]) == 0

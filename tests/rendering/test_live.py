@@ -10,6 +10,7 @@ import pyvista as pv
 import spherepacking
 from spherepacking.accessor import PackingAccessor
 from spherepacking.backend import vtkSpherePackingPicturePass
+from spherepacking.trace.path_trace import PathTracer
 
 SIZE = (160, 120)
 WORDS = {"samples": 4, "sky": (0.3, 0.9), "sun": (1, 0, 1)}
@@ -104,6 +105,36 @@ def test_what_is_transparent_comes_after(scene, spheres):
     color, _ = traced(spheres, scene)
     expected = 0.5 * color[:, 3:] / 255 * color[:, :3] + [0, 0, 127.5]
     assert np.abs(found - expected).max() <= 2
+
+
+def test_the_hierarchy_is_built_once(scene, spheres, monkeypatch):
+    """The tracer that checks the arguments makes the pictures, too, on what it has built."""
+    tracers, sizes, seconds = set(), [], set()
+    trace = PathTracer.trace
+
+    def recorded(self, *args):
+        image = trace(self, *args)
+        tracers.add(self)
+        sizes.append(image.dimensions[:2])
+        seconds.add(float(image.field_data["build_seconds"][0]))
+        return image
+
+    monkeypatch.setattr(PathTracer, "trace", recorded)
+    scene.packing.path_trace(
+        spheres, scalars="level", show_scalar_bar=False, reset_camera=False, **WORDS
+    )
+    drawn(scene)
+    scene.camera.azimuth += 30
+    drawn(scene)
+    assert sizes == [(1, 1), SIZE, SIZE]
+    assert len(tracers) == 1
+    assert len(seconds) == 1, "the time of one build, to the last digit"
+    assert seconds.pop() > 0
+    # The counter would notice another build.
+    spheres["radius"] *= 0.5
+    drawn(scene)
+    assert len(seconds) == 1
+    tracers.clear()
 
 
 def test_changed_radii_are_seen(scene, spheres):
