@@ -15,7 +15,7 @@ Functions, all in ``spherepacking``:
 - packing: ``pack`` fills a closed surface, ``apollonian`` makes the Apollonian packing
 - pictures: ``read_image``, ``write_image``, ``write_render``, ``compare_images``
 
-``spherepacking --help`` tells of the command line.
+``spherepacking --help`` describes the command line.
 """
 
 from __future__ import annotations

@@ -129,11 +129,11 @@ class PackingAccessor(BoxesOfPacking, MetaballsOfPacking):
 
         Every pixel holds the exact intersection of its ray, computed in double precision (Haines,
         Günther and Akenine-Möller, "Precision Improvements for Ray/Sphere Intersection", Ray
-        Tracing Gems, 2019). The structure decides about speed alone, not about a single bit, unless
-        the camera is more than 1e9 times as far away as the packing is large. It is kept, so that
-        further pictures of the same packing take less time, until points or radii are assigned, or
-        written to through ``packing.points`` and ``packing["radius"]``. Of changes through other
-        views of their memory, VTK and with it the structure know nothing.
+        Tracing Gems, 2019). The structure changes the speed alone, not a single bit of the picture,
+        unless the camera is more than 1e9 times as far away as the packing is large. The accessor
+        reuses it for further pictures until points or radii are assigned, or written to through
+        ``packing.points`` and ``packing["radius"]``. Changes through other views of their memory
+        are not noticed.
 
         Parameters
         ----------
@@ -433,7 +433,7 @@ class PackingAccessor(BoxesOfPacking, MetaballsOfPacking):
         ----------
         **kwargs : dict, optional
             Arguments of :class:`pyvista.Plotter`, of its ``show`` and of ``plotter.packing.add``,
-            told apart by their names; `background` sets the colour behind the spheres.
+            distinguished by their names; `background` sets the colour behind the spheres.
 
         Returns
         -------

@@ -42,21 +42,21 @@ EXPOSURE_LIMITS = Limits(-100.0, 100.0)
 WEIGHT_LIMITS = Limits(0.0, 1e20)
 """Weights of metaballs: sums of many are numbers in single precision."""
 RELATIVE_ERROR_LIMITS = Limits(2e-5, 0.5)
-"""Relative error of a field, if not 0: expansions up to the order that there is reach no less."""
+"""Relative error of a field, if not 0: single precision alone makes one of 1e-5."""
 ENDLESS = 1e290
-"""Seconds, or a noise, from which on a limit is none: C++ adds to it in double precision."""
+"""A time budget or noise target from which on there is none: VTK cuts infinity off at 1e299."""
 LARGEST_ID = 2**31 - 1
-"""Any count: an int of C++."""
+"""Any count or index: an int of C++."""
 LARGEST_SEED = 2**32 - 1
 """Seed of the path tracer: an unsigned int of C++."""
 LARGEST_TRACED_SIDE = 65536
-"""Side of a traced picture, in pixels: their number is still one that fits into memory."""
+"""Side of a traced picture, in pixels: far more than any use, so that a slip is refused."""
 LARGEST_DRAWN_SIDE = 16384
 """Side of a drawn picture, in pixels: what every implementation of OpenGL has for a texture."""
 LARGEST_SPECULAR_POWER = 128.0
 """Specular power: as in VTK."""
 STEP_LIMITS = Limits(0.001, 60.0)
-"""Seconds of a step of a live picture: a tile takes no less, and nobody waits longer."""
+"""Seconds between two steps of a live picture: a shorter one shows nothing new."""
 
 
 def number_of(name: str, value: float, low: float, high: float) -> float:

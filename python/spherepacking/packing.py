@@ -104,9 +104,9 @@ def with_radii(packing: pv.PolyData, radius: str | ArrayLike) -> tuple[pv.PolyDa
 
 
 class ModifiedTimes(NamedTuple):
-    """When VTK was last told of changes of a packing; equal as long as it was told of none.
+    """When VTK last learned of changes of a packing; equal as long as it learned of no other.
 
-    VTK counts changes, and no two of its objects have a time in common.
+    VTK counts changes, so no two of its objects have a time in common.
 
     Attributes
     ----------
@@ -131,7 +131,7 @@ class ModifiedTimes(NamedTuple):
 
 
 def modified_times(packing: pv.PolyData) -> ModifiedTimes | None:
-    """When a packing was last changed; None without spheres or radii, of which nothing is kept."""
+    """When a packing was last changed; None without spheres or radii."""
     arrays = packing.GetPointData()
     radii = arrays.GetAbstractArray("radius")
     if not packing.n_points or radii is None:
@@ -149,14 +149,14 @@ def modified_times(packing: pv.PolyData) -> ModifiedTimes | None:
 class ChangeDetector:
     """Finds out when a packing was last changed, also behind VTK's back.
 
-    NumPy writes into an array without telling VTK. ``packing["radius"] *= 2`` tells the point data
-    that an array was added, and a write through another view of the memory tells nobody.
+    NumPy writes into an array without notifying VTK. ``packing["radius"] *= 2`` only notifies the
+    point data that an array was added, and a write through another view of the memory nothing.
 
     Parameters
     ----------
     hash_contents : bool
-        Hash centres and radii each time. Otherwise only the radii, and only after VTK was told of
-        another change.
+        Hash centres and radii each time. Otherwise only the radii, and only after another change
+        that VTK was notified of.
     """
 
     def __init__(self, *, hash_contents: bool) -> None:
@@ -165,13 +165,13 @@ class ChangeDetector:
         self._hashes = (0, 0)
 
     def modified_times(self, packing: pv.PolyData) -> ModifiedTimes | None:
-        """Tell VTK of the changes that it does not know of; return the times, see the function."""
+        """Notify VTK of the changes that it does not know of, and return the times after that."""
         times, before = modified_times(packing), self._times
         if times is None:
             return None
         same = before is not None and times.geometry == before.geometry
-        told = before is None or times.arrays != before.arrays
-        if same and not told and not self._hash_contents:
+        notified = before is None or times.arrays != before.arrays
+        if same and not notified and not self._hash_contents:
             return times
         hashes = (
             content_hash(packing.point_data["radius"]),

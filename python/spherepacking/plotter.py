@@ -197,10 +197,10 @@ class PackingComponent(MetaballsOfPlotter):
         >>> import numpy as np
         >>> import pyvista as pv
         >>> rng = np.random.default_rng(0)
-        >>> centres = pv.PolyData(rng.random((100, 3)))
+        >>> centers = pv.PolyData(rng.random((100, 3)))
         >>> plotter = pv.Plotter(off_screen=True)
         >>> actor = plotter.packing.add(
-        ...     centres, radius=rng.uniform(0.01, 0.1, 100), scalars=centres.points[:, 2]
+        ...     centers, radius=rng.uniform(0.01, 0.1, 100), scalars=centers.points[:, 2]
         ... )
         >>> plotter.close()
         """

@@ -191,7 +191,7 @@ def progress_bar(algorithm: Algorithm, label: str, delay: float | None = 0.0) ->
     Raises
     ------
     KeyboardInterrupt
-        If Ctrl-C was pressed meanwhile; the algorithm has been told to abort.
+        If Ctrl-C was pressed meanwhile; the algorithm has been asked to stop.
     """
     bar = _Bar(label, delay)
     tag = algorithm.AddObserver("ProgressEvent", bar)

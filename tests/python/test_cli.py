@@ -213,9 +213,9 @@ def test_render_wide_radii_on_a_logarithmic_scale(tmp_path):
     file = tmp_path / "wide.spheres"
     file.write_text("0 0 0 100\n300 0 0 10\n350 0 0 1\n")
     where = ("--camera", 300, -1000, 0, "--focal", 300, 0, 0, "--view-angle", 2)
-    words = ("--cmap", "gray", "--background", "red", "--no-scalar-bar", "--size", 99, 99, *where)
-    middle = draw(file, *words)[49, 49].astype(int)
-    linear = draw(file, *words, "--no-log-scale")[49, 49].astype(int)
+    options = ("--cmap", "gray", "--background", "red", "--no-scalar-bar", "--size", 99, 99, *where)
+    middle = draw(file, *options)[49, 49].astype(int)
+    linear = draw(file, *options, "--no-log-scale")[49, 49].astype(int)
     assert 60 < middle[0] < 200
     assert linear[0] < 60
 
@@ -223,10 +223,10 @@ def test_render_wide_radii_on_a_logarithmic_scale(tmp_path):
 def test_equal_radii_are_not_coloured_by(tmp_path):
     file = tmp_path / "equal.spheres"
     file.write_text("0 0 0 1\n3 0 0 1\n")
-    words = ("--size", 100, 100)
-    plain = draw(file, *words, "--color", pv.global_theme.color.name)
-    assert np.array_equal(draw(file, *words), plain)
-    assert not np.array_equal(draw(file, *words, "--scalars", "radius"), plain)
+    options = ("--size", 100, 100)
+    plain = draw(file, *options, "--color", pv.global_theme.color.name)
+    assert np.array_equal(draw(file, *options), plain)
+    assert not np.array_equal(draw(file, *options, "--scalars", "radius"), plain)
 
 
 def test_render_zero_radii(tmp_path):
@@ -236,8 +236,8 @@ def test_render_zero_radii(tmp_path):
 
 
 @pytest.mark.parametrize("scale", [1e-15, 1e-8, 1e8, 1e13])
-@pytest.mark.parametrize("words", [(), ("--parallel",)], ids=["perspective", "parallel"])
-def test_the_unit_of_length_does_not_matter(tmp_path, scale, words):
+@pytest.mark.parametrize("options", [(), ("--parallel",)], ids=["perspective", "parallel"])
+def test_the_unit_of_length_does_not_matter(tmp_path, scale, options):
     """Within what render accepts, pictures differ by rounding at edges only."""
     pictures = []
     for unit in (1.0, scale):
@@ -245,7 +245,7 @@ def test_the_unit_of_length_does_not_matter(tmp_path, scale, words):
         mesh = pv.PolyData(unit * np.array([[0, 0, 0], [10, 0, 0], [0, 0, 10]], dtype=float))
         mesh["radius"] = unit * np.array([2.0, 1.0, 0.5])
         spherepacking.write(mesh, file)
-        pictures.append(draw(file, *PLAIN, "--no-anti-aliasing", *words).astype(int))
+        pictures.append(draw(file, *PLAIN, "--no-anti-aliasing", *options).astype(int))
     assert covered(pictures[0]) > 0.01
     assert (np.abs(pictures[1] - pictures[0]).max(axis=-1) > 8).sum() <= 4
 
@@ -273,9 +273,9 @@ def test_render_says_what_a_picture_cannot_hold(tmp_path, capfd, message):
 
 @pytest.mark.parametrize("factor", ["1e300", "1e-300"])
 def test_length_of_up_does_not_matter(file, factor):
-    words = ("--camera", 20, 0, 0, "--focal", 0, 0, 0)
-    expected = draw(file, *PLAIN, *words, "--up", 0, 1, 1)
-    assert np.array_equal(draw(file, *PLAIN, *words, "--up", 0, factor, factor), expected)
+    options = ("--camera", 20, 0, 0, "--focal", 0, 0, 0)
+    expected = draw(file, *PLAIN, *options, "--up", 0, 1, 1)
+    assert np.array_equal(draw(file, *PLAIN, *options, "--up", 0, factor, factor), expected)
 
 
 @pytest.mark.parametrize("structure", ["bvh", "grid", "none"])
@@ -347,12 +347,12 @@ def test_histogram_counts_every_sphere_once(tmp_path, capsys, radii):
     assert main(["info", str(file)]) == 0
     lines = [line for line in capsys.readouterr().out.splitlines() if " .. " in line]
     bins = [line.split() for line in lines if line.startswith("  ")]
-    assert sum(int(words[3].replace(",", "")) for words in bins) == len(radii)
-    for words in bins:
-        low, high = float(words[0]), float(words[2])
+    assert sum(int(columns[3].replace(",", "")) for columns in bins) == len(radii)
+    for columns in bins:
+        low, high = float(columns[0]), float(columns[2])
         assert low <= high
         inside = sum(low * (1 - 1e-4) <= r <= high * (1 + 1e-4) for r in radii)
-        assert inside >= int(words[3])
+        assert inside >= int(columns[3])
 
 
 @pytest.mark.parametrize(

@@ -52,7 +52,7 @@ def test_limits():
 
 
 @pytest.mark.parametrize(
-    ("words", "error", "message"),
+    ("kwargs", "error", "message"),
     [
         ({"mesh": pv.ImageData(dimensions=(3, 3, 3))}, TypeError, "mesh: found a ImageData"),
         ({"mesh": None}, TypeError, "mesh: found a NoneType"),
@@ -74,8 +74,8 @@ def test_limits():
         ({"progress_bar": 1}, TypeError, "progress_bar: found 1"),
     ],
 )
-def test_bad_arguments(words, error, message):
-    arguments = {"mesh": pv.Cube(), "count": 5, **words}
+def test_bad_arguments(kwargs, error, message):
+    arguments = {"mesh": pv.Cube(), "count": 5, **kwargs}
     with pytest.raises(error, match=message):
         spherepacking.pack(arguments.pop("mesh"), arguments.pop("count"), **arguments)
 
@@ -154,7 +154,7 @@ def test_bad_off_files(tmp_path, lines, message):
 
 
 @pytest.mark.parametrize(
-    ("words", "message"),
+    ("arguments", "message"),
     [
         (("none.ply", "out.spheres"), "none.ply: there is no such file"),
         (("cube.ply", "nowhere/out.spheres"), "there is no folder"),
@@ -169,7 +169,7 @@ def test_bad_off_files(tmp_path, lines, message):
         (("cut.ply", "out.spheres"), "cut.ply: found a file that ends early, expected"),
     ],
 )
-def test_command_errors(cube_file, monkeypatch, capsys, words, message):
+def test_command_errors(cube_file, monkeypatch, capsys, arguments, message):
     monkeypatch.chdir(cube_file.parent)
     pv.Plane().save("open.ply")
     pv.PolyData(np.zeros((3, 3))).save("points.ply")
@@ -177,7 +177,7 @@ def test_command_errors(cube_file, monkeypatch, capsys, words, message):
     cube_file.with_name("text.txt").write_text("no surface\n")
     cube_file.with_name("text.ply").write_text("no surface\n")
     cube_file.with_name("text.vtk").write_text("no surface\n")
-    assert main(["pack", *words]) == 2
+    assert main(["pack", *arguments]) == 2
     said = capsys.readouterr().err
     assert message in said
     assert said.startswith("spherepacking: ")

@@ -86,7 +86,7 @@ def measure(
     limit : float
         Seconds that a sum sphere by sphere may be expected to take, else it is left out.
     tick : callable
-        Is told what is done.
+        Called with what is being measured.
 
     Yields
     ------

@@ -55,10 +55,10 @@ class Row:
     depth_most: float
     """The largest of them."""
     color_error: float
-    """Root mean square of the colour's difference from 256 rays a pixel, as a share of white, over
-    the pixels that either hits; NaN where colours mean something else."""
+    """Root mean square of the colour's difference from 256 rays per pixel, as a fraction of white,
+    over the pixels that either hits; NaN where colours mean something else."""
     relative_mse: float = np.nan
-    """Of the light, against 4096 samples a pixel; NaN for what has none."""
+    """Of the light, against 4096 samples per pixel; NaN for what has none."""
     flip: float = np.nan
     """Mean FLIP error against them; NaN for what has no light, or without the evaluator."""
 
@@ -173,7 +173,7 @@ def measure(
         Seconds that the frames of a technique may take. It is left out from the count on at which,
         by the time of the count before, a single one would take longer.
     tick : callable
-        Told what is going on.
+        Called with what is being measured.
 
     Yields
     ------

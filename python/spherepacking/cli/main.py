@@ -204,7 +204,7 @@ def bench(
 
 
 def _flush() -> None:
-    """Write out what was printed; at the interpreter's end nobody could be told of a failure."""
+    """Write out what was printed; at the interpreter's end a failure could not be reported."""
     try:
         # None when the process was started without.
         if sys.stdout is not None:
@@ -228,7 +228,7 @@ def main(arguments: list[str] | None = None) -> int:
     Returns
     -------
     int
-        Exit status: 0, 2 after an error, which is told in one line on stderr, or 128 and the
+        Exit status: 0, 2 after an error, which is printed as one line on stderr, or 128 and the
         number of the signal that the shell knows the ending by.
     """
     try:

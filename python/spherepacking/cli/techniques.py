@@ -154,7 +154,7 @@ def _over(plotter: pv.Plotter, pixels: np.ndarray) -> np.ndarray:
 def _sky_of(sky: list[str]) -> SkyLike:
     """The light of a sky from one, two or three numbers, or the name of a file."""
     try:
-        numbers = [float(word) for word in sky]
+        numbers = [float(token) for token in sky]
     except ValueError:
         if len(sky) > 1:
             raise ValueError(

@@ -49,7 +49,7 @@ def read_surface(path: Path) -> pv.PolyData:
 
 def _read_by_pyvista(path: Path) -> pv.PolyData:
     """Read a surface of a format that PyVista knows."""
-    # VTK and PyVista print and log what goes wrong besides raising it, which is told once here.
+    # VTK and PyVista print and log what goes wrong besides raising it; here it is raised alone.
     logging.disable(logging.CRITICAL)
     try:
         with pv.vtk_verbosity("off"), warnings.catch_warnings():

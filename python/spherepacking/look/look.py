@@ -72,7 +72,7 @@ class Look:
         Returns
         -------
         vtkDataArray or None
-            RGBA of each sphere (n, 4), uint8, under a name of its own; None if scalars colour none.
+            RGBA of each sphere (n, 4), uint8, named apart; None if no scalars colour them.
         """
         log_scale = flag_of("log_scale", self.log_scale)
         random_colors = flag_of("random_colors", self.random_colors)
@@ -105,7 +105,7 @@ class Look:
         # A table is known by when it was changed.
         table = self.cmap.GetMTime() if isinstance(self.cmap, pv.LookupTable) else None
         theme = pv.global_theme
-        # The time of all arrays: of some changes VTK tells the point data alone.
+        # The time of all arrays: some changes are known to the point data alone.
         return (
             None if array is None else arrays.GetMTime(),
             table,

@@ -39,7 +39,7 @@ class FieldOptions:
 
 
 def weights_of(weights: ArrayLike | None) -> list[float]:
-    """`weights` as numbers within their limits, or a ValueError; None is none."""
+    """`weights` as numbers within their limits, or a ValueError; [] for None."""
     if weights is None:
         return []
     low, high = checks.WEIGHT_LIMITS

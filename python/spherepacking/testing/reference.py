@@ -134,8 +134,8 @@ def _pairs(
     width = boxes[:, 1] - boxes[:, 0]
     counts = width * (boxes[:, 3] - boxes[:, 2])
     index = np.repeat(np.arange(len(boxes)), counts)
-    place = np.arange(len(index)) - np.repeat(np.cumsum(counts) - counts, counts)
-    return index, boxes[index, 0] + place % width[index], boxes[index, 2] + place // width[index]
+    rank = np.arange(len(index)) - np.repeat(np.cumsum(counts) - counts, counts)
+    return index, boxes[index, 0] + rank % width[index], boxes[index, 2] + rank // width[index]
 
 
 class _Nearest:

@@ -59,7 +59,7 @@ def knot_tube(count: int, seed: int = 0) -> pv.PolyData:
     volume = _SOLID_FRACTION * np.pi * _TUBE_RADIUS**2 * length[-1]
     radii = _radii(count, volume)
 
-    centres = np.empty((count, 3), dtype=np.float32)
+    centers = np.empty((count, 3), dtype=np.float32)
     for start in range(0, count, 1_000_000):
         part = slice(start, min(start + 1_000_000, count))
         n = part.stop - part.start
@@ -72,11 +72,11 @@ def knot_tube(count: int, seed: int = 0) -> pv.PolyData:
         up /= np.linalg.norm(up, axis=1, keepdims=True)
         away = (_TUBE_RADIUS - radii[part]) * np.sqrt(rng.random(n))
         angle = 2.0 * np.pi * rng.random(n)
-        centres[part] = (
+        centers[part] = (
             point + (away * np.cos(angle))[:, None] * side + (away * np.sin(angle))[:, None] * up
         )
     packing = pv.PolyData()
-    packing.points = centres
+    packing.points = centers
     packing.point_data["radius"] = radii.astype(np.float32)
     packing.set_active_scalars("radius", preference="point")
     return packing

@@ -131,7 +131,7 @@ class LivePicture:
         for name in ("color", "depth"):
             picture.GetPointData().AddArray(image.GetPointData().GetArray(name))
         self._picture.SetPicture(picture)
-        # After tracing, which may have told VTK of changes.
+        # After tracing, which may have found changes that VTK did not know of.
         self._shown_view = self._present_view()
         self.samples = int(image["samples"].min())
         # With a noise target parts of the picture get fewer.

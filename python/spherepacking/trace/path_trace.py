@@ -74,7 +74,7 @@ class PathTracer:
                 denoiser()  # that it is missing is said before any path is traced
             image = prepared.run(tracer, packing, options.tile, look, options.progress)
             _note_origin(tracer, image)
-            # A preview, of which three quarters are dark, cannot be told from a dark picture.
+            # A preview, of which three quarters are dark, looks like a dark picture.
             if options.denoise and image["samples"].all():
                 _denoise(tracer, image)
         return image
@@ -116,7 +116,7 @@ def _set_options(tracer: vtkSpherePackingPathTracer, options: PathOptions) -> No
 
 
 def _limit_of(name: str, value: float | None) -> float:
-    """A limit as the tracer has it, 0 for none."""
+    """A limit as the tracer has it, 0 for no limit."""
     if value is None:
         return 0.0
     limit = checks.above_zero(name, value)

@@ -126,7 +126,7 @@ class PreparedTracer[Tracer: vtkSpherePackingTracer]:
         return image
 
     def _set_look(self, tracer: Tracer, packing: pv.PolyData, look: Look) -> None:
-        """Colour the spheres; equal colours stay the same array, on which kept pictures depend."""
+        """Colour the spheres; equal colours stay one array, so that a picture can be refined."""
         colors = look.sphere_colors(packing, white_by_default=self._white_by_default)
         default = "white" if self._white_by_default else pv.global_theme.color
         color = pv.Color(checks.color_of("color", look.color), default_color=default)

@@ -181,7 +181,7 @@ def set_sky(tracer: vtkSpherePackingPathTracer, sky: Sky) -> None:
 
 
 def set_sun(tracer: vtkSpherePackingPathTracer, sun: Sun | None) -> None:
-    """Set the sun of a tracer, or none."""
+    """Set the sun of a tracer, or take it away."""
     if sun is None:
         tracer.SetSunRadiance(0.0, 0.0, 0.0)
         return
