@@ -28,10 +28,10 @@ import pyvista as pv
 import spherepacking
 from rich.console import Console
 from rich.table import Table
-from spherepacking._offscreen import choose_window
-from spherepacking.bench import accuracy, reference
 from spherepacking.bench.peers import add_discs
-from spherepacking.bench.scenes import knot_tube, set_camera
+from spherepacking.draw.offscreen import choose_window
+from spherepacking.testing import accuracy, reference
+from spherepacking.testing.scenes import knot_tube, set_camera
 
 BAR = 1.25
 SIZE = (1000, 1000)

@@ -33,8 +33,8 @@ import numpy as np
 from bars import Bars
 from rich.console import Console
 from spherepacking.accessor import PackingAccessor
-from spherepacking.bench import fields
-from spherepacking.bench.scenes import knot_tube
+from spherepacking.testing import fields
+from spherepacking.testing.scenes import knot_tube
 
 ERROR = 1e-3
 
@@ -96,7 +96,7 @@ def take_turns(works: list, turns: int) -> list[float]:
 PEAK = """
 import re, sys
 from spherepacking.accessor import PackingAccessor
-from spherepacking.bench.scenes import knot_tube
+from spherepacking.testing.scenes import knot_tube
 
 def status(name):
     text = open("/proc/self/status").read()

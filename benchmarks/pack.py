@@ -34,8 +34,8 @@ RUN = """
 import sys, time
 from pathlib import Path
 import spherepacking
-from spherepacking import _backend
-from spherepacking._pack_file import read_surface
+from spherepacking import backend
+from spherepacking.files.surfaces import read_surface
 
 path, count, cuts, target = sys.argv[1:]
 start = time.perf_counter()
@@ -54,8 +54,8 @@ print(seconds, peak, packing.field_data["volume_fraction"][0], mesh.n_cells)
 
 def run(path: Path, count: int, cuts: int, target: Path) -> tuple[float, float, float, int]:
     """Seconds, bytes, fraction and number of triangles of a packing in a process of its own."""
-    words = [sys.executable, "-c", RUN, str(path), str(count), str(cuts), str(target)]
-    result = subprocess.run(words, check=True, capture_output=True, text=True)
+    command = [sys.executable, "-c", RUN, str(path), str(count), str(cuts), str(target)]
+    result = subprocess.run(command, check=True, capture_output=True, text=True)
     seconds, peak, fraction, triangles = map(float, result.stdout.split()[-4:])
     return seconds, peak, fraction, int(triangles)
 

@@ -30,8 +30,8 @@ from bars import Bars
 from rich.console import Console
 from spherepacking.bench import embree, light
 from spherepacking.bench.measure import take_turns
-from spherepacking.bench.scenes import camera_of_all, knot_tube, set_camera
-from spherepacking.bench.techniques import LIGHT, PATH_SAMPLES, PathTrace
+from spherepacking.bench.rays import LIGHT, PATH_SAMPLES, PathTrace
+from spherepacking.testing.scenes import camera_of_all, knot_tube, set_camera
 
 SIZE = (1000, 1000)
 SAMPLES = 16

@@ -32,8 +32,8 @@ from rich.console import Console
 from spherepacking.accessor import PackingAccessor
 from spherepacking.bench import embree
 from spherepacking.bench.measure import errors_of, expect, take_turns
-from spherepacking.bench.scenes import camera_of_all, knot_tube
-from spherepacking.bench.techniques import RayCast
+from spherepacking.bench.rays import RayCast
+from spherepacking.testing.scenes import camera_of_all, knot_tube
 
 SIZE = (1000, 1000)
 GIB = 1 << 30

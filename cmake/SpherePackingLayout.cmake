@@ -1,9 +1,9 @@
 # Where things are installed, and how they find each other there.
 #
-# The libraries of the modules lie beside the wrapped modules in the Python package. In a wheel the
-# install prefix is the site-packages folder itself. A plain install uses the folder that the
-# interpreter looks into under any prefix: Debian's system Python says dist-packages, others say
-# site-packages.
+# The wrapped modules lie in the Python package, the libraries that they are linked to in its folder
+# lib, where Python does not take them for modules, too. In a wheel the install prefix is the
+# site-packages folder itself. A plain install uses the folder that the interpreter looks into under
+# any prefix: Debian's system Python says dist-packages, others say site-packages.
 if (SKBUILD)
   set(_site_dir ".")
 else ()
@@ -23,11 +23,14 @@ if (SPHEREPACKING_SITE_DIR STREQUAL ".")
 else ()
   set(SPHEREPACKING_PYTHON_DIR "${SPHEREPACKING_SITE_DIR}/spherepacking")
 endif ()
+set(SPHEREPACKING_LIBRARY_DIR "${SPHEREPACKING_PYTHON_DIR}/lib")
 
-set(CMAKE_INSTALL_RPATH "$ORIGIN")
+set(SPHEREPACKING_LIBRARY_RPATH "$ORIGIN")
+set(SPHEREPACKING_MODULE_RPATH "$ORIGIN/lib")
 if (SPHEREPACKING_VTK_PACKAGE STREQUAL "cvista")
   # A wheel finds VTK's libraries in the cvista package next to it.
-  list(APPEND CMAKE_INSTALL_RPATH "$ORIGIN/../cvista")
+  list(APPEND SPHEREPACKING_LIBRARY_RPATH "$ORIGIN/../../cvista")
+  list(APPEND SPHEREPACKING_MODULE_RPATH "$ORIGIN/../cvista")
 endif ()
 if (NOT SKBUILD)
   # A plain install stays on this machine: it may name the folder that VTK was linked from. CMake
@@ -37,6 +40,7 @@ if (NOT SKBUILD)
   if (SPHEREPACKING_VTK_PACKAGE STREQUAL "cvista")
     get_target_property(_vtk_library VTK::Common IMPORTED_LOCATION_RELEASE)
     cmake_path(GET _vtk_library PARENT_PATH _vtk_folder)
-    list(APPEND CMAKE_INSTALL_RPATH "${_vtk_folder}")
+    list(APPEND SPHEREPACKING_LIBRARY_RPATH "${_vtk_folder}")
+    list(APPEND SPHEREPACKING_MODULE_RPATH "${_vtk_folder}")
   endif ()
 endif ()

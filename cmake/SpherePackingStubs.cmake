@@ -49,12 +49,16 @@ function (spherepacking_write_stubs)
   list(TRANSFORM _stubs PREPEND "${_folder}/")
   list(APPEND _stubs "${_folder}/py.typed")
 
+  set(_script "${CMAKE_SOURCE_DIR}/cmake/import_stub_names.py")
   add_custom_command(
     OUTPUT   ${_stubs}
     COMMAND  "${CMAKE_COMMAND}" -E env ${_modify}
              "${Python3_EXECUTABLE}" -m "${SPHEREPACKING_VTK_PACKAGE}.generate_pyi"
              -p spherepacking -o "${_folder}" ${_names}
-    DEPENDS  ${_targets}
+    COMMAND  "${CMAKE_COMMAND}" -E env ${_modify}
+             "${Python3_EXECUTABLE}" "${_script}"
+             "${SPHEREPACKING_VTK_PACKAGE}" spherepacking "${_folder}" ${_names}
+    DEPENDS  ${_targets} "${_script}"
     COMMENT  "Writing stubs of the wrapped modules"
     VERBATIM)
   add_custom_target(spherepacking_stubs ALL DEPENDS ${_stubs})

@@ -15,7 +15,7 @@ packing = pv.read(Path(__file__).with_name("apollonian.spheres"))
 print(f"{packing.n_points} spheres, bounds {packing.packing.bounds}")
 
 # %%
-# ``plotter.packing.add`` takes the words of ``plotter.add_mesh``.
+# ``plotter.packing.add`` takes the arguments of ``plotter.add_mesh``.
 plotter = pv.Plotter(off_screen=True, window_size=(1000, 1000))
 plotter.enable_anti_aliasing("ssaa")
 plotter.packing.add(packing, cmap="magma", log_scale=True, specular=0.3, specular_power=20)

@@ -1,7 +1,7 @@
 # Shared by the scripts of this folder; sourced, not run.
 #
 #   setup [EXTRA...]     system packages, .venv, the wheel with those extras; quick when all is there
-#   choose_window        sets the offscreen window that VTK opens
+#   choose_window        sets the offscreen window that VTK opens; after setup
 #
 # Environment: SPHEREPACKING_PYTHON names the CPython to use; CXX the compiler.
 
@@ -234,13 +234,8 @@ setup() {
   exec 9>&-
 }
 
-# OSMesa where it is, EGL elsewhere; a choice made by the caller stands.
+# The one that the package chooses where there is no display, even if there is one.
 choose_window() {
-  if [ -z "${VTK_DEFAULT_OPENGL_WINDOW:-}" ]; then
-    if can_load libOSMesa.so.8; then
-      export VTK_DEFAULT_OPENGL_WINDOW=vtkOSOpenGLRenderWindow
-    else
-      export VTK_DEFAULT_OPENGL_WINDOW=vtkEGLRenderWindow
-    fi
-  fi
+  VTK_DEFAULT_OPENGL_WINDOW=$("$venv/bin/python" -m spherepacking.draw.offscreen)
+  export VTK_DEFAULT_OPENGL_WINDOW
 }

@@ -1,6 +1,5 @@
 """Fixtures for all tests: data, randomness, the offscreen window, leaked VTK objects."""
 
-import ctypes
 import gc
 import os
 import subprocess
@@ -11,6 +10,7 @@ from pathlib import Path
 import hypothesis
 import numpy as np
 import pytest
+from spherepacking.draw.offscreen import choose_window
 
 TESTS = Path(__file__).resolve().parent
 ROOT = TESTS.parent
@@ -23,19 +23,7 @@ hypothesis.settings.register_profile("repeatable", derandomize=True, deadline=No
 hypothesis.settings.load_profile("repeatable")
 
 
-def choose_window():
-    """Name VTK's offscreen window class, unless the caller's environment names one."""
-    if "VTK_DEFAULT_OPENGL_WINDOW" in os.environ:
-        return
-    try:
-        ctypes.CDLL("libOSMesa.so.8")
-    except OSError:
-        os.environ["VTK_DEFAULT_OPENGL_WINDOW"] = "vtkEGLRenderWindow"
-    else:
-        os.environ["VTK_DEFAULT_OPENGL_WINDOW"] = "vtkOSOpenGLRenderWindow"
-
-
-choose_window()  # VTK reads the variable when it makes its first window
+choose_window(with_display=True)  # VTK reads the variable when it makes its first window
 
 
 def layer(path):
@@ -53,7 +41,23 @@ def pytest_collection_modifyitems(items):
 def pytest_report_header():
     window = os.environ["VTK_DEFAULT_OPENGL_WINDOW"]
     data = data_folder()
-    return [f"window: {window}", f"data: {data} ({'found' if data.is_dir() else 'absent'})"]
+    return [f"window: {window}", f"real inputs: {data} ({'found' if data.is_dir() else 'absent'})"]
+
+
+def pytest_terminal_summary(terminalreporter):
+    """Say which tests ran on small inputs alone, since the real ones are absent."""
+    skipped = terminalreporter.stats.get("skipped", [])
+    reasons = [report.longrepr[2] for report in skipped if isinstance(report.longrepr, tuple)]
+    absent = sorted(reason.partition(ABSENT)[2] for reason in reasons if ABSENT in reason)
+    if absent:
+        terminalreporter.section("real inputs")
+        terminalreporter.write_line(
+            f"{len(absent)} tests were skipped, since their real input is absent from "
+            f"{data_folder()} (SPHEREPACKING_DATA names another folder); each ran on a small input "
+            "of tests/data, too:"
+        )
+        for name in dict.fromkeys(absent):
+            terminalreporter.write_line(f"  {name}: {absent.count(name)}")
 
 
 @pytest.hookimpl(wrapper=True)
@@ -70,30 +74,47 @@ PASSED = pytest.StashKey[bool]()
 # --- data -----------------------------------------------------------------------------------------
 
 
+# Small inputs in tests/data, and the real ones whose format and style they have.
+REAL = {
+    "atoms.xyzr": "voronota_3dlb.xyzr",
+    "blob.obj": "imb_bunny.obj",
+    "blob.off": "vhacd_pig.off",
+    "chain.pqr": "apbs_achbp.pqr",
+    "clump.csv": "deme_TeddyBear.csv",
+    "cubes.ply": "stanford_dragon_vrip_res3.ply",
+    "equal.xyzd": "packgen_packing.xyzd",
+    "helix.pqr": "apbs_membrane-helix-8.pqr",
+    "planets.json": "starscape_solar-system.json",
+    "positions.npz": "fresnel_spheres.npz",
+    "tree.sph": "cellpack_test.sph",
+}
+ABSENT = "the real input is absent: "
+
+
 def data_folder():
     default = ROOT.parent / "shared" / "data"
     return Path(os.environ.get("SPHEREPACKING_DATA", default))
 
 
-@pytest.fixture(scope="session")
-def data_file():
-    """Return a function from a file name to its path that skips the test where it is absent."""
+def real_file(name):
+    """Return the path of a real input, or skip the test where it is absent."""
+    path = data_folder() / name
+    if not path.is_file():
+        pytest.skip(ABSENT + name)
+    return path
+
+
+@pytest.fixture(params=["small", "real"])
+def data_file(request):
+    """Return a function from the name of a small input to its path, or to that of the real one.
+
+    A test that uses it runs twice; with the real input only where that is present.
+    """
 
     def find(name):
-        path = data_folder() / name
-        if not path.is_file():
-            pytest.skip(f"{name} is absent from {data_folder()}")
-        return path
+        return TESTS / "data" / name if request.param == "small" else real_file(REAL[name])
 
     return find
-
-
-@pytest.fixture(scope="session")
-def data_dir():
-    """Return the folder of real inputs; skip where it is absent."""
-    if not data_folder().is_dir():
-        pytest.skip(f"no folder {data_folder()}")
-    return data_folder()
 
 
 # --- randomness -----------------------------------------------------------------------------------

@@ -1,17 +1,56 @@
 """See sphere packings: exact ray-cast spheres for VTK and PyVista.
 
-A packing is a :class:`pyvista.PolyData` whose points are the centres of the spheres and whose
-point array ``radius`` holds their radii. With this package installed, ``pyvista.read`` reads
-packing files, every ``PolyData`` has an accessor ``packing`` and every plotter a component
-``packing``; importing it is only needed for what is listed here.
+A packing is a :class:`pyvista.PolyData`: its points are the centres of the spheres, its point array
+``radius`` holds their radii. PyVista finds this package by itself, it need not be imported for:
+
+- ``pyvista.read(path)`` and ``packing.save(path)``: files of packings
+- ``packing.packing``: the accessor, with ``ray_cast``, ``path_trace``, ``pick``, ``metaballs``,
+  ``metaball_field``, ``bvh_boxes``, ``grid_boxes``, ``bounds``, ``plot``; see PackingAccessor
+- ``plotter.packing``: the component, with ``add``, ``add_metaballs``, ``path_trace``,
+  ``screenshot``; see PackingComponent
+
+Functions, all in ``spherepacking``:
+
+- reading and writing: ``read``, ``write``
+- packing: ``pack`` fills a closed surface, ``apollonian`` makes the Apollonian packing
+- pictures: ``read_image``, ``write_image``, ``write_render``, ``compare_images``
+
+``spherepacking --help`` describes the command line.
 """
 
 from __future__ import annotations
 
 import importlib
 
+TYPE_CHECKING = False  # as in typing, which is not imported for that alone
+if TYPE_CHECKING:
+    from .accessor import PackingAccessor
+    from .draw.mapper import SpherePackingMapper
+    from .files.errors import PackingFileError
+    from .files.exr import write_render
+    from .files.image import ImageDifference, compare_images, read_image, write_image
+    from .files.readers import SpherePackingReader, read
+    from .files.writers import write
+    from .make.apollonian import apollonian
+    from .make.pack import pack
+    from .metaballs.actor import Metaballs
+    from .plotter import PackingComponent
+    from .trace.live import LivePicture
+    from .trace.ray_cast import Pick
+    from .trace.sky import Sun
+
+    __version__: str
+
 __all__ = [
+    "ImageDifference",
+    "LivePicture",
+    "Metaballs",
+    "PackingAccessor",
+    "PackingComponent",
     "PackingFileError",
+    "Pick",
+    "SpherePackingMapper",
+    "SpherePackingReader",
     "Sun",
     "apollonian",
     "compare_images",
@@ -26,16 +65,24 @@ __all__ = [
 # Nothing is imported before it is used: the command line answers at once, and importing this
 # package does not decide which VTK PyVista runs on.
 _HOMES = {
-    "PackingFileError": "._errors",
-    "Sun": "._sky",
-    "apollonian": "._apollonian",
-    "compare_images": ".image",
-    "pack": "._pack",
-    "read": ".readers",
-    "read_image": ".image",
-    "write": ".writers",
-    "write_image": ".image",
-    "write_render": "._layers",
+    "ImageDifference": ".files.image",
+    "LivePicture": ".trace.live",
+    "Metaballs": ".metaballs.actor",
+    "PackingAccessor": ".accessor",
+    "PackingComponent": ".plotter",
+    "PackingFileError": ".files.errors",
+    "Pick": ".trace.ray_cast",
+    "SpherePackingMapper": ".draw.mapper",
+    "SpherePackingReader": ".files.readers",
+    "Sun": ".trace.sky",
+    "apollonian": ".make.apollonian",
+    "compare_images": ".files.image",
+    "pack": ".make.pack",
+    "read": ".files.readers",
+    "read_image": ".files.image",
+    "write": ".files.writers",
+    "write_image": ".files.image",
+    "write_render": ".files.exr",
 }
 
 

@@ -6,7 +6,7 @@ import sys
 def main() -> int:
     """Run the command line and return its exit status, also when stopped while it is loaded."""
     try:
-        from .cli import main as run
+        from .cli.main import main as run
 
         return run()
     except KeyboardInterrupt:

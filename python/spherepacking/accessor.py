@@ -9,20 +9,23 @@ import numpy as np
 import pyvista as pv
 from pyvista.core._typing_core import BoundsTuple
 
-from . import _arguments as arguments
-from ._boxes import BoxesOfPacking
-from ._metaballs import MetaballsOfPacking
-from ._pathtrace import PathTracer
-from ._raycast import Caster, Pick
+from .look.look import Look
+from .metaballs.accessor import MetaballsOfPacking
+from .packing import check_radii
+from .trace.boxes import BoxesOfPacking
+from .trace.path_trace import PathOptions, PathTracer
+from .trace.ray_cast import RayCaster
 
 if TYPE_CHECKING:
     import os
-    from collections.abc import Sequence
+    from collections.abc import Callable, Sequence
+    from typing import Any
 
     from numpy.typing import ArrayLike
     from pyvista.plotting._typing import ColorLike
 
-    from ._sky import Sun
+    from .trace.ray_cast import Pick
+    from .trace.sky import Sun
 
 
 @pv.register_dataset_accessor("packing", pv.PolyData)
@@ -44,7 +47,7 @@ class PackingAccessor(BoxesOfPacking, MetaballsOfPacking):
 
     def __init__(self, packing: pv.PolyData) -> None:
         self._packing = packing
-        self._caster = Caster()
+        self._ray_caster = RayCaster()
         self._path_tracer = PathTracer()
 
     @property
@@ -66,24 +69,24 @@ class PackingAccessor(BoxesOfPacking, MetaballsOfPacking):
         KeyError
             If there is no point array ``radius``.
         TypeError, ValueError
-            If its values are no radii.
+            If its values are not radii.
         """
         if not self.n_spheres:
             return np.empty(0)
-        arguments.radii_of(self._packing, "radius")
+        check_radii(self._packing)
         return self._packing.point_data["radius"]
 
     @property
     def bounds(self) -> BoundsTuple:
-        """Box around all spheres, x min, x max, y min, …; unlike ``PolyData.bounds`` with radii.
+        """Box around all spheres, x min, x max, y min, …; ``PolyData.bounds`` is around centres.
 
         Without spheres it is that of an empty PolyData.
         """
         if not self.n_spheres:
             return self._packing.bounds
-        from ._backend import vtkSpherePackingInput
+        from .backend import vtkSpherePackingInput
 
-        arguments.radii_of(self._packing, "radius")
+        check_radii(self._packing)
         box = [0.0] * 6
         array = self._packing.GetPointData().GetArray("radius")
         vtkSpherePackingInput.ComputeBounds(self._packing, array, box)
@@ -100,7 +103,7 @@ class PackingAccessor(BoxesOfPacking, MetaballsOfPacking):
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write the packing, see :func:`spherepacking.write`."""
-        from .writers import write
+        from .files.writers import write
 
         write(self._packing, path)
 
@@ -126,11 +129,11 @@ class PackingAccessor(BoxesOfPacking, MetaballsOfPacking):
 
         Every pixel holds the exact intersection of its ray, computed in double precision (Haines,
         Günther and Akenine-Möller, "Precision Improvements for Ray/Sphere Intersection", Ray
-        Tracing Gems, 2019). The structure decides about speed alone, not about a single bit, unless
-        the camera is more than 1e9 times as far away as the packing is large. It is kept, so that
-        further pictures of the same packing take less time, until points or radii are assigned, or
-        written to through ``packing.points`` and ``packing["radius"]``. Of changes through other
-        views of their memory, VTK and with it the structure know nothing.
+        Tracing Gems, 2019). The structure changes the speed alone, not a single bit of the picture,
+        unless the camera is more than 1e9 times as far away as the packing is large. The accessor
+        reuses it for further pictures until points or radii are assigned, or written to through
+        ``packing.points`` and ``packing["radius"]``. Changes through other views of their memory
+        are not noticed.
 
         Parameters
         ----------
@@ -145,14 +148,14 @@ class PackingAccessor(BoxesOfPacking, MetaballsOfPacking):
         cuts : int, optional
             How often the grid cuts each axis; by default it has twice as many cells as spheres.
         samples : int, default: 1
-            n for n x n rays a pixel, from 1 to 16, whose colours are averaged.
+            n for n x n rays per pixel, from 1 to 16, whose colours are averaged.
         tile : int or sequence of int, default: 64
             Width and height in pixels of the tiles in which the picture is made.
         scalars : str or array_like, optional
-            What to colour by, as in ``plotter.packing.add``: a point array (n,), by default the
-            active one.
+            What to colour by: the name of a point array, or an array (n,), (n, 3) or (n, 4). If
+            neither `scalars` nor `color` is given, the active point scalars are used.
         rgb : bool, optional
-            Take the scalars for colours; by default if their name ends with ``_rgb`` or ``_rgba``.
+            Take the scalars as colours; by default if their name ends with ``_rgb`` or ``_rgba``.
         cmap : str, list or pyvista.LookupTable, optional
             Colour map of the scalars.
         clim : sequence of float, optional
@@ -162,28 +165,36 @@ class PackingAccessor(BoxesOfPacking, MetaballsOfPacking):
         color : ColorLike, optional
             One colour for all spheres.
         random_colors : bool, default: False
-            One random colour a sphere, whatever `scalars` and `color` are.
+            One random colour per sphere, whatever `scalars` and `color` are.
         progress : bool, default: False
             Show a progress bar. Ctrl-C stops the work with or without.
 
         Returns
         -------
         pyvista.ImageData
-            One point a pixel, from the lower left corner, with the point arrays ``color`` (RGBA,
-            uint8, alpha 0 where nothing is hit), ``depth`` (float32, along the direction of view
-            in the unit of the packing, infinite where nothing is hit), ``normal`` (float32, 3, out
-            of the sphere) and ``sphere_id`` (int64, -1 where nothing is hit). Field arrays:
-            ``tile_extents``, ``compute_seconds`` and ``partial_seconds`` of each tile,
-            ``complete_seconds``, ``build_seconds`` and ``memory_bytes`` of the structure.
+            One point per pixel, from the lower left corner. Point arrays:
+
+            - ``color`` (n, 4), uint8: RGBA, alpha 0 where nothing is hit
+            - ``depth`` (float32): along the direction of view, in the unit of the packing; infinite
+              where nothing is hit
+            - ``normal`` (n, 3), float32: out of the sphere
+            - ``sphere_id`` (int64): -1 where nothing is hit
+
+            Field arrays:
+
+            - ``tile_extents``, ``compute_seconds``, ``partial_seconds``: of each tile
+            - ``complete_seconds``: of the whole picture
+            - ``build_seconds``, ``memory_bytes``: of the structure
 
         Raises
         ------
         KeyError
             If there is no point array ``radius``, or none of the name `scalars`.
         TypeError
-            If an argument is of a type that cannot be meant.
+            If an argument has the wrong type.
         ValueError
-            If an argument is out of its range, the camera sees nothing, or a radius is none.
+            If an argument is out of its range, the camera has no direction of view, or a radius is
+            negative or not finite.
         KeyboardInterrupt
             If Ctrl-C was pressed; no tile is begun after that.
 
@@ -196,20 +207,17 @@ class PackingAccessor(BoxesOfPacking, MetaballsOfPacking):
         >>> image["color"].shape
         (20000, 4)
         """
-        look = {
-            "scalars": scalars,
-            "rgb": rgb,
-            "cmap": cmap,
-            "clim": clim,
-            "log_scale": log_scale,
-            "color": color,
-            "random_colors": random_colors,
-        }
-        samples = arguments.count_of("samples", samples, most=16)
-        with self._caster.lock:
-            tracer = self._caster.prepare(self._packing, camera, window_size, structure, cuts)
-            tracer.SetSamples(samples)
-            return self._caster.cast(self._packing, tile, look, progress)
+        return self._ray_caster.cast(
+            self._packing,
+            camera,
+            window_size,
+            Look(scalars, rgb, cmap, clim, log_scale, color, random_colors),
+            structure=structure,
+            cuts=cuts,
+            samples=samples,
+            tile=tile,
+            progress=progress,
+        )
 
     def path_trace(
         self,
@@ -247,8 +255,8 @@ class PackingAccessor(BoxesOfPacking, MetaballsOfPacking):
         Spheres are opaque and matt (Lambert's law). Paths are drawn in proportion to what they
         bring (J. T. Kajiya, "The Rendering Equation", 1986), with Owen-scrambled Sobol points (B.
         Burley, "Practical Hash-based Owen Scrambling", 2020). The picture depends on the seed
-        alone, not on tiles, threads or structure. It is kept: called again with more samples, only
-        those that are missing are traced, also after Ctrl-C or a time budget.
+        alone, not on tiles, threads or structure. The accessor keeps it: called again with more
+        samples, it traces only those that are missing, also after Ctrl-C or a time budget.
 
         Parameters
         ----------
@@ -258,19 +266,19 @@ class PackingAccessor(BoxesOfPacking, MetaballsOfPacking):
         window_size : sequence of int
             Width and height of the picture in pixels.
         samples : int, default: 16
-            Paths a pixel, 1 or more.
+            Paths per pixel, 1 or more.
         max_bounces : int, default: 4
             How many spheres a path may visit, 0 or more; 1 for direct light alone, which under a
             sky is ambient occlusion.
         albedo : float, default: 0.8
-            What part of the light a white sphere reflects, from 0 to 1. Colours are multiplied by
+            Part of the light that a white sphere reflects, from 0 to 1. Colours are multiplied by
             it.
         sky : float, array_like, str or os.PathLike, default: 1.0
             Radiance of the sky, linear: one number, or red, green and blue; two of either for the
             bottom (-z) and the top (+z); or an equirectangular image (height, width, 3), or the
             file of one, whose upper side is +z and whose middle is +x. Integers in images are sRGB.
         sun : Sun or sequence of float, optional
-            A :class:`spherepacking.Sun`, or the direction towards one of radiance 1.
+            A :class:`spherepacking.Sun`, or the direction (3,) towards one of radiance 1.
         seed : int, default: 0
             Seed of the random numbers, from 0 to 2**32 - 1.
         structure : {"bvh", "grid", "none"}, default: "bvh"
@@ -280,14 +288,14 @@ class PackingAccessor(BoxesOfPacking, MetaballsOfPacking):
         tile : int or sequence of int, default: 64
             Width and height in pixels of the tiles in which the picture is made.
         time_budget : float, optional
-            Seconds after which no tile is begun any more; every pixel has a sample at least.
+            Seconds after which no tile is begun any more; every pixel gets a sample at least.
         preview : bool, default: False
             With `time_budget`, begin with one pixel in four, whose light ``color`` shows at the
             other three as well for as long as they have none.
         noise_target : float, optional
             Relative error at which a part of the picture, 32 x 32 pixels, gets no more samples.
         min_samples : int, default: 16
-            Samples from which on that error is believed, 2 or more.
+            Samples per pixel before that error is estimated, 2 or more.
         exposure : float, default: 0.0
             In ``color``, light counts 2**exposure times.
         filmic : bool, default: False
@@ -295,20 +303,8 @@ class PackingAccessor(BoxesOfPacking, MetaballsOfPacking):
             instead of cutting light off at white.
         sky_visible : bool, default: True
             Show the sky in ``color``; otherwise its opacity is the coverage.
-        scalars : str or array_like, optional
-            What to colour by, as in ``plotter.packing.add``; by default spheres are white.
-        rgb : bool, optional
-            Take the scalars for colours; by default if their name ends with ``_rgb`` or ``_rgba``.
-        cmap : str, list or pyvista.LookupTable, optional
-            Colour map of the scalars.
-        clim : sequence of float, optional
-            Range of the scalars that the colour map spans.
-        log_scale : bool, default: False
-            Map scalars logarithmically.
-        color : ColorLike, optional
-            One colour for all spheres.
-        random_colors : bool, default: False
-            One random colour a sphere, whatever `scalars` and `color` are.
+        scalars, rgb, cmap, clim, log_scale, color, random_colors
+            What the spheres are coloured by, as in :meth:`ray_cast`; by default they are white.
         denoise : bool, default: False
             Estimate the picture without noise by Open Image Denoise (extra ``denoise``), as the
             array ``denoised`` (float32, 3, linear), and take ``color`` from it, unless there are
@@ -319,31 +315,42 @@ class PackingAccessor(BoxesOfPacking, MetaballsOfPacking):
         Returns
         -------
         pyvista.ImageData
-            One point a pixel, from the lower left corner, with the point arrays ``color`` (RGBA,
-            uint8, sRGB), ``radiance`` (float32, 3, linear, the sky included), ``albedo`` and
-            ``normal`` (float32, 3, means over the samples, 0 for the sky), ``depth`` (float32) and
-            ``sphere_id`` (int64) of the pixel's middle as in :meth:`ray_cast`, ``coverage``
-            (float32, share of the samples that hit a sphere), ``samples`` (uint32) and ``variance``
-            (float32, of the radiance's brightness, not too small). Field arrays: as in
-            :meth:`ray_cast` without ``partial_seconds``, ``traced_samples``, how many were added
-            over all pixels, and what made the picture: ``camera`` (position, focal point,
-            view-up), ``view_angle`` or ``parallel_scale``, ``seed``, ``max_bounces`` and
-            ``reflectance``.
+            One point per pixel, from the lower left corner. Point arrays:
+
+            - ``color`` (n, 4), uint8: RGBA, sRGB
+            - ``radiance`` (n, 3), float32: linear, the sky included
+            - ``albedo``, ``normal`` (n, 3), float32: means over the samples, 0 for the sky
+            - ``depth`` (float32), ``sphere_id`` (int64): of the pixel's middle, as in
+              :meth:`ray_cast`
+            - ``coverage`` (float32): fraction of the samples that hit a sphere
+            - ``samples`` (uint32)
+            - ``variance`` (float32): of the radiance's brightness, rather too large than too small
+            - ``denoised`` (n, 3), float32: with `denoise`
+
+            Field arrays:
+
+            - ``tile_extents``, ``compute_seconds``, ``complete_seconds``, ``build_seconds``,
+              ``memory_bytes``: as in :meth:`ray_cast`
+            - ``traced_samples``: number of samples that were added, over all pixels
+            - ``camera`` (3, 3): position, focal point and view-up
+            - ``view_angle`` or ``parallel_scale``, the other one is NaN
+            - ``seed``, ``max_bounces``, ``reflectance``
 
         Raises
         ------
         ImportError
-            If `denoise` and Open Image Denoise is not there.
+            If `denoise` is True and Open Image Denoise is not installed.
         FileNotFoundError, OSError
             If the image of the sky cannot be read.
         KeyError
             If there is no point array ``radius``, or none of the name `scalars`.
         TypeError
-            If an argument is of a type that cannot be meant.
+            If an argument has the wrong type.
         ValueError
-            If an argument is out of its range, the camera sees nothing, or a radius is none.
+            If an argument is out of its range, the camera has no direction of view, or a radius is
+            negative or not finite.
         KeyboardInterrupt
-            If Ctrl-C was pressed; what has been traced is kept for the next call.
+            If Ctrl-C was pressed; the next call goes on with what has been traced.
 
         Examples
         --------
@@ -354,33 +361,28 @@ class PackingAccessor(BoxesOfPacking, MetaballsOfPacking):
         >>> image["radiance"].shape
         (20000, 3)
         """
-        look = {
-            "scalars": scalars,
-            "rgb": rgb,
-            "cmap": cmap,
-            "clim": clim,
-            "log_scale": log_scale,
-            "color": color,
-            "random_colors": random_colors,
-        }
-        with self._path_tracer.lock:
-            self._path_tracer.prepare(self._packing, camera, window_size, structure, cuts)
-            self._path_tracer.set_paths(
-                samples=samples,
-                max_bounces=max_bounces,
-                albedo=albedo,
-                sky=sky,
-                sun=sun,
-                seed=seed,
-                time_budget=time_budget,
-                preview=preview,
-                noise_target=noise_target,
-                min_samples=min_samples,
-                exposure=exposure,
-                filmic=filmic,
-                sky_visible=sky_visible,
-            )
-            return self._path_tracer.trace(self._packing, tile, look, denoise, progress)
+        options = PathOptions(
+            samples=samples,
+            max_bounces=max_bounces,
+            albedo=albedo,
+            sky=sky,
+            sun=sun,
+            seed=seed,
+            structure=structure,
+            cuts=cuts,
+            tile=tile,
+            time_budget=time_budget,
+            preview=preview,
+            noise_target=noise_target,
+            min_samples=min_samples,
+            exposure=exposure,
+            filmic=filmic,
+            sky_visible=sky_visible,
+            denoise=denoise,
+            progress=progress,
+        )
+        look = Look(scalars, rgb, cmap, clim, log_scale, color, random_colors)
+        return self._path_tracer.trace(self._packing, camera, window_size, look, options)
 
     def pick(
         self,
@@ -398,7 +400,8 @@ class PackingAccessor(BoxesOfPacking, MetaballsOfPacking):
         window_size : sequence of int
             Width and height of the picture in pixels.
         x, y : float
-            Where, in pixels from the lower left corner; (0.5, 0.5) is the middle of the first one.
+            The point, in pixels from the lower left corner; (0.5, 0.5) is the middle of the first
+            pixel.
 
         Returns
         -------
@@ -410,7 +413,7 @@ class PackingAccessor(BoxesOfPacking, MetaballsOfPacking):
         KeyError
             If there is no point array ``radius``.
         TypeError, ValueError
-            If an argument is none, or the point lies outside the picture.
+            If an argument is invalid, or the point lies outside the picture.
 
         Examples
         --------
@@ -421,22 +424,20 @@ class PackingAccessor(BoxesOfPacking, MetaballsOfPacking):
         >>> found.normal.shape
         (3,)
         """
-        with self._caster.lock:
-            self._caster.prepare(self._packing, camera, window_size)
-            return self._caster.pick(self._packing, x, y)
+        return self._ray_caster.pick(self._packing, camera, window_size, x, y)
 
-    def plot(self, **kwargs: object) -> object:
+    def plot(self, **kwargs: Any) -> Any:
         """Show the packing in a window, or offscreen in a picture.
 
         Parameters
         ----------
         **kwargs : dict, optional
             Arguments of :class:`pyvista.Plotter`, of its ``show`` and of ``plotter.packing.add``,
-            told apart by their names; `background` sets the colour behind the spheres.
+            distinguished by their names; `background` sets the colour behind the spheres.
 
         Returns
         -------
-        object
+        Any
             What :meth:`pyvista.Plotter.show` returns.
 
         Examples
@@ -445,7 +446,7 @@ class PackingAccessor(BoxesOfPacking, MetaballsOfPacking):
         >>> packing = spherepacking.apollonian(3)
         >>> packing.packing.plot(cmap="magma", screenshot="packing.png")  # doctest: +SKIP
         """
-        from ._offscreen import choose_window
+        from .draw.offscreen import choose_window
         from .plotter import PackingComponent
 
         choose_window()
@@ -464,7 +465,7 @@ class PackingAccessor(BoxesOfPacking, MetaballsOfPacking):
             raise
 
 
-def _take(kwargs: dict[str, object], function: object) -> dict[str, object]:
+def _take(kwargs: dict[str, Any], function: Callable[..., Any]) -> dict[str, Any]:
     """Move those of `kwargs` that `function` takes into a dict of their own."""
     names = inspect.signature(function).parameters.keys() & kwargs.keys()
     return {name: kwargs.pop(name) for name in names}

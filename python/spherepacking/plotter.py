@@ -2,28 +2,35 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from dataclasses import fields, replace
+from typing import TYPE_CHECKING, cast
 
 import numpy as np
 import pyvista as pv
 
-from . import _arguments as arguments
-from ._colour_map import colour_map_of, special_colours, widened
-from ._metaball_component import MetaballsOfPlotter
-from ._scalar_bar import scalar_bar_of
-from ._scalars import opacity_of, scalars_of
+from . import checks
+from .look.color_map import color_map_of, widened
+from .look.look import Look
+from .look.material import property_of
+from .look.scalar_bar import scalar_bar_of
+from .look.scalars import opacity_of, scalars_of
+from .metaballs.plotter import MetaballsOfPlotter
+from .packing import packing_of, with_radii
 
 if TYPE_CHECKING:
     import os
     from collections.abc import Sequence
+    from typing import Any
 
     from numpy.typing import ArrayLike
     from pyvista.plotting._typing import ColorLike
     from pyvista.plotting.themes import Theme
 
-    from ._live import LivePicture
-    from ._scalars import Opacity, Scalars
-    from .mapper import SpherePackingMapper
+    from .draw.mapper import SpherePackingMapper
+    from .look.color_map import ColorMap
+    from .look.scalars import Opacity, Scalars
+    from .trace.live import LivePicture
+    from .trace.path_trace import PathOptions
 
 
 @pv.register_plotter_component("packing")
@@ -83,7 +90,7 @@ class PackingComponent(MetaballsOfPlotter):
         below_color: ColorLike | None = None,
         above_color: ColorLike | None = None,
         show_scalar_bar: bool | None = None,
-        scalar_bar_args: dict | None = None,
+        scalar_bar_args: dict[str, Any] | None = None,
         lighting: bool | None = None,
         ambient: float | None = None,
         diffuse: float | None = None,
@@ -96,10 +103,10 @@ class PackingComponent(MetaballsOfPlotter):
     ) -> pv.Actor:
         """Add the spheres of a packing to the scene.
 
-        Words shared with :meth:`pyvista.Plotter.add_mesh` mean the same and have the same
+        Arguments shared with :meth:`pyvista.Plotter.add_mesh` mean the same and have the same
         defaults. The packing is not changed. Arrays given by name stay connected: change them, and
         the next rendering shows it. If any array is given by its values, the spheres are a copy
-        that shares the arrays: changes inside them show, arrays put in their place do not.
+        that shares the arrays: changes inside them show, arrays that replace them do not.
 
         Parameters
         ----------
@@ -116,11 +123,11 @@ class PackingComponent(MetaballsOfPlotter):
         color : ColorLike, optional
             One colour for all spheres.
         opacity : float, str or array_like, default: 1.0
-            From 0 to 1: of all spheres, or one a sphere (n,) or the name of such a point array; or
-            a transfer function along the colour map, as an array or by name. Spheres behind one
-            another mix in the right order after :meth:`pyvista.Plotter.enable_depth_peeling`;
-            with OSMesa that needs ``pyvista.global_theme.multi_samples = 1`` before the plotter is
-            made, for meshes too.
+            From 0 to 1: of all spheres, or one per sphere (n,) or the name of such a point array;
+            or a transfer function along the colour map, as an array or by name. Spheres behind one
+            another mix in the right order after :meth:`pyvista.Plotter.enable_depth_peeling`; with
+            OSMesa that needs ``pyvista.global_theme.multi_samples = 1`` before the plotter is made,
+            for meshes too (https://github.com/pyvista/pyvista/issues/4867).
         radius : str or array_like, default: "radius"
             Radii in the unit of the points: the name of a point array, an array (n,), or one
             number for all spheres. Zero is legal and draws nothing.
@@ -136,7 +143,7 @@ class PackingComponent(MetaballsOfPlotter):
         categories : bool or int, default: False
             Use as many colours as there are different scalars, or that many.
         flip_scalars : bool, default: False
-            Turn the colour map round.
+            Reverse the colour map.
         log_scale : bool, default: False
             Map scalars logarithmically. They have to be positive, or `clim` has to be.
         annotations : dict[float, str], optional
@@ -173,15 +180,15 @@ class PackingComponent(MetaballsOfPlotter):
         KeyError
             If `radius` or `scalars` names an array that is not there.
         TypeError
-            If `packing` is no PolyData, the radii are no real numbers, or another argument is of
-            a type that cannot be meant.
+            If `packing` is not a PolyData, the radii are not real numbers, or another argument has
+            the wrong type.
         ValueError
-            If there is not one value a sphere, or a radius is negative, infinite or NaN, or
-            another argument is out of its range.
+            If there is not one value per sphere, or a radius is negative or not finite, or another
+            argument is out of its range.
         RuntimeError
             If the plotter has been closed.
 
-        Each names the argument, and the plotter is as it was.
+        Each names the argument, and the plotter is left as it was.
 
         Examples
         --------
@@ -190,50 +197,62 @@ class PackingComponent(MetaballsOfPlotter):
         >>> import numpy as np
         >>> import pyvista as pv
         >>> rng = np.random.default_rng(0)
-        >>> centres = pv.PolyData(rng.random((100, 3)))
+        >>> centers = pv.PolyData(rng.random((100, 3)))
         >>> plotter = pv.Plotter(off_screen=True)
         >>> actor = plotter.packing.add(
-        ...     centres, radius=rng.uniform(0.01, 0.1, 100), scalars=centres.points[:, 2]
+        ...     centers, radius=rng.uniform(0.01, 0.1, 100), scalars=centers.points[:, 2]
         ... )
         >>> plotter.close()
         """
         plotter = self.plotter
-        arguments.check_scene(plotter, name)
-        packing, radius = arguments.radii_of(arguments.packing_of(packing), radius)
-        matrix = arguments.similarity_of(user_matrix)
-        prop = arguments.property_of(
-            plotter.theme, lighting, ambient, diffuse, specular, specular_power
+        _check_scene(plotter, name)
+        shown, radius_name = with_radii(packing_of(packing), radius)
+        matrix = checks.similarity_of(user_matrix)
+        prop = property_of(plotter.theme, lighting, ambient, diffuse, specular, specular_power)
+        values = scalars_of(shown, scalars, rgb, active=color is None)
+        plain = checks.color_of("color", color)
+        color_map = color_map_of(
+            values,
+            plotter.theme,
+            cmap=cmap,
+            clim=clim,
+            log_scale=log_scale,
+            component=component,
+            n_colors=n_colors,
+            categories=categories,
+            flip_scalars=flip_scalars,
+            annotations=annotations,
+            nan_color=nan_color,
+            nan_opacity=nan_opacity,
+            below_color=below_color,
+            above_color=above_color,
         )
-        scalars = scalars_of(packing, scalars, rgb, active=color is None)
-        color = arguments.color_of("color", color)
-        words = colour_map_of(
-            scalars, component, cmap, clim, n_colors, categories, log_scale, annotations
-        )
-        words |= special_colours(plotter.theme, nan_color, nan_opacity, below_color, above_color)
-        opacity = opacity_of(packing, opacity, words["n_colors"], scalars)
-        if scalars.foreign or opacity.each is not None:
-            packing = packing.copy(deep=False)  # to which the mapper adds arrays
-        bar = scalar_bar_of(plotter, scalars, n_colors, show_scalar_bar, scalar_bar_args)
+        opacities = opacity_of(shown, opacity, color_map.n_colors, values)
+        if values.adds_array or opacities.each is not None:
+            shown = shown.copy(deep=False)  # to which the mapper adds arrays
+        bar = scalar_bar_of(plotter, values, n_colors, show_scalar_bar, scalar_bar_args)
         # Nothing has changed so far, and what comes does not fail.
-        prop.color = plotter.renderer.next_color if color is None or color is True else color
-        prop.opacity = 1.0 if opacity.whole is None else opacity.whole
-        words |= {"flip_scalars": flip_scalars, "scalar_bar_args": bar}
-        mapper = _mapper(packing, plotter.theme, radius, scalars, opacity, prop.color, words)
+        prop.color = plotter.renderer.next_color if plain is None or plain is True else plain
+        prop.opacity = 1.0 if opacities.whole is None else opacities.whole
+        mapper = _mapper(
+            shown, plotter.theme, radius_name, values, opacities, prop.color, color_map, bar
+        )
         actor = pv.Actor(mapper, prop)
         actor.user_matrix = matrix
-        self._show(actor, packing, bar, name, pickable, reset_camera, render)
+        self._show(actor, shown, bar, name, pickable, reset_camera, render)
         return actor
 
     def _show(
         self,
         actor: pv.Actor,
         packing: pv.PolyData,
-        bar: dict[str, object] | None,
+        bar: dict[str, Any] | None,
         name: str | None,
         pickable: bool,
         reset_camera: bool | None,
         render: bool,
     ) -> None:
+        """Put the actor into the scene, and its scalar bar."""
         plotter = self.plotter
         plotter.mesh = packing
         plotter.mapper = actor.mapper
@@ -263,10 +282,10 @@ class PackingComponent(MetaballsOfPlotter):
         log_scale: bool = False,
         color: ColorLike | None = None,
         show_scalar_bar: bool | None = None,
-        scalar_bar_args: dict | None = None,
+        scalar_bar_args: dict[str, Any] | None = None,
         name: str | None = None,
         reset_camera: bool | None = None,
-        **light: object,
+        **light: Any,
     ) -> LivePicture:
         """Add spheres that are seen in the light of a sky and a sun.
 
@@ -280,7 +299,7 @@ class PackingComponent(MetaballsOfPlotter):
         packing : pyvista.PolyData
             Centres (n, 3) and point array ``radius`` (n,).
         samples : int, default: 64
-            Samples a pixel of the finished picture.
+            Samples per pixel of the finished picture.
         step : float, default: 0.1
             Seconds between two pictures while it becomes better, from 0.001 to 60.
         scalars, rgb, cmap, clim, log_scale, color, show_scalar_bar, scalar_bar_args, name, \
@@ -299,8 +318,8 @@ class PackingComponent(MetaballsOfPlotter):
         Raises
         ------
         TypeError, ValueError
-            If an argument is none, or the plotter has another render pass; the plotter is as it
-            was.
+            If an argument is invalid, or the plotter has another render pass; the plotter is left
+            as it was.
 
         Examples
         --------
@@ -313,45 +332,34 @@ class PackingComponent(MetaballsOfPlotter):
         True
         >>> plotter.close()
         """
-        from ._live import LivePicture, check_live
-        from .accessor import PackingAccessor
+        from .trace.live import LivePicture, check_no_pass, check_step
+        from .trace.path_trace import PathTracer
 
         for picture in [p for p in self._pictures if p.abandoned]:
             picture.close()
             self._pictures.remove(picture)
-        samples, step = check_live(self.plotter, samples, step)
-        look = {
-            "scalars": scalars,
-            "rgb": rgb,
-            "cmap": cmap,
-            "clim": clim,
-            "log_scale": log_scale,
-            "color": "white" if scalars is None and color is None else color,
-        }
-        unknown = {
-            "time_budget",
-            "preview",
-            "sky_visible",
-            "random_colors",
-            "progress",
-        } & light.keys()
-        if unknown:
-            raise TypeError(f"{min(unknown)}: found one, expected none in a plotter")
-        # Whatever is wrong is found with a single pixel.
+        check_no_pass(self.plotter)
+        options = _path_options(samples, light)
+        step = check_step(step)
+        if scalars is None and color is None:
+            color = "white"
+        look = Look(scalars, rgb, cmap, clim, log_scale, color)
+        packing = packing_of(packing)
+        # Whatever is wrong is found with a single pixel, and the picture goes on with its tracer,
+        # which has the acceleration structure.
+        tracer = PathTracer()
         view = [(1.0, 1.0, 1.0), (0.0, 0.0, 0.0), (0.0, 0.0, 1.0)]
-        PackingAccessor(arguments.packing_of(packing)).path_trace(
-            view, (1, 1), samples=1, **look, **light
-        )
+        tracer.trace(packing, view, (1, 1), look, replace(options, samples=1))
         actor = self.add(
             packing,
-            **look,
+            **look.kwargs(),
             show_scalar_bar=show_scalar_bar,
             scalar_bar_args=scalar_bar_args,
             name=name,
             reset_camera=reset_camera,
             render=False,
         )
-        live = LivePicture(self.plotter, actor, packing, samples, step, look | light)
+        live = LivePicture(self.plotter, actor, packing, tracer, look, options, step)
         self._pictures.append(live)
         return live
 
@@ -388,23 +396,28 @@ class PackingComponent(MetaballsOfPlotter):
         RuntimeError
             If the spheres cannot be drawn in this view; nothing is written.
         TypeError, ValueError
-            If the format is unknown, or the picture's size is none, or above 16384 along a side.
+            If the format is unknown, or the picture's size is invalid or above 16384 along a side.
         """
-        from .image import check_output, write_image
-        from .mapper import SpherePackingMapper
+        from .draw.mapper import SpherePackingMapper
+        from .files.image import check_output, write_image
 
         check_output(filename)
-        factor = 1 if scale is None else arguments.count_of("scale", scale, most=16384)
+        largest = checks.LARGEST_DRAWN_SIDE
+        factor = 1 if scale is None else checks.count_of("scale", scale, most=largest)
         size = self.plotter.window_size if window_size is None else window_size
-        arguments.size_of("window_size", size, most=16384 // factor)
-        # PyVista would take what is in the window, before the last changes.
+        checks.size_of("window_size", size, most=largest // factor)
+        # Upstream: PyVista 0.49's screenshot does not render again, and would miss what has changed
+        # since the last rendering.
         self.plotter.render()
-        pixels = self.plotter.screenshot(
-            None,
-            return_img=True,
-            transparent_background=transparent_background,
-            window_size=window_size,
-            scale=scale,
+        pixels = cast(
+            "np.ndarray",
+            self.plotter.screenshot(
+                None,
+                return_img=True,
+                transparent_background=transparent_background,
+                window_size=window_size,
+                scale=scale,
+            ),
         )
         for renderer in self.plotter.renderers:
             for actor in renderer.actors.values():
@@ -418,6 +431,35 @@ class PackingComponent(MetaballsOfPlotter):
         return pixels
 
 
+def _check_scene(plotter: pv.BasePlotter, name: str | None) -> None:
+    """Raise a ValueError if the plotter cannot show spheres or `name` is not one of an actor."""
+    scale = plotter.renderer.scale
+    if len(set(scale)) > 1:
+        raise ValueError(f"the plotter's scale: found {scale}, expected the same for all axes")
+    if name is not None and not (isinstance(name, str) and name):
+        raise ValueError(f"name: found {name!r}, expected a text that is not empty, or None")
+
+
+def _path_options(samples: int, light: dict[str, Any]) -> PathOptions:
+    """Options of a live picture, or a TypeError that names what is not one."""
+    from .trace.path_trace import PathOptions
+
+    known = {field.name for field in fields(PathOptions)} - {
+        "samples",
+        "time_budget",
+        "preview",
+        "sky_visible",
+        "progress",
+    }
+    if unknown := light.keys() - known:
+        raise TypeError(
+            f"{min(unknown)}: found one, expected only {', '.join(sorted(known))} and what "
+            "plotter.packing.path_trace itself takes"
+        )
+    samples = checks.count_of("samples", samples)
+    return PathOptions(samples=samples, sky_visible=False, **light)
+
+
 def _mapper(
     packing: pv.PolyData,
     theme: Theme,
@@ -425,28 +467,30 @@ def _mapper(
     scalars: Scalars,
     opacity: Opacity,
     color: pv.Color,
-    words: dict[str, object],
+    color_map: ColorMap,
+    bar: dict[str, Any] | None,
 ) -> SpherePackingMapper:
-    """Make the mapper; `words` are those of :meth:`pyvista.DataSetMapper.set_scalars`."""
-    from .mapper import SpherePackingMapper
+    """Make the mapper, which draws the spheres in their colours."""
+    from .draw.mapper import SpherePackingMapper
 
     mapper = SpherePackingMapper(packing, theme, radius)
     # The range of no scalars is not defined.
-    coloured = scalars.values is not None or opacity.each is not None
-    mapper.scalar_visibility = coloured and packing.n_points > 0
+    colored = scalars.values is not None or opacity.each is not None
+    mapper.scalar_visibility = colored and packing.n_points > 0
     if not mapper.scalar_visibility:
         return mapper
     if scalars.values is None:
-        mapper.set_custom_opacity(opacity.each, color=color, n_colors=words["n_colors"])
+        mapper.set_custom_opacity(opacity.each, color=color, n_colors=color_map.n_colors)
         return mapper
     if opacity.each is not None:
-        words = words | {"clim": widened(scalars, words["component"], words["clim"])}
+        color_map = replace(color_map, clim=widened(scalars.values, color_map))
     mapper.set_scalars(
         scalars.values,
         scalars.name,
         rgb=scalars.rgb,
         custom_opac=opacity.each is not None,
         opacity=opacity.transfer if opacity.each is None else opacity.each,
-        **words,
+        scalar_bar_args=bar,
+        **color_map.kwargs(),
     )
     return mapper

@@ -6,8 +6,8 @@ import itertools
 
 import pytest
 import spherepacking
-from spherepacking import cli
 from spherepacking.bench import command, fields
+from spherepacking.cli import main as cli
 
 
 def bench(tmp_path, *arguments):
@@ -16,7 +16,7 @@ def bench(tmp_path, *arguments):
 
 
 def test_table_csv_and_picture(tmp_path, capsys):
-    words = [
+    options = [
         "--counts",
         400,
         100,
@@ -29,7 +29,7 @@ def test_table_csv_and_picture(tmp_path, capsys):
         "OpenGL",
         "ray cast, bvh",
     ]
-    assert bench(tmp_path, *words) == 0
+    assert bench(tmp_path, *options) == 0
     said = capsys.readouterr().out
     lines = (tmp_path / "b.csv").read_text().splitlines()
     assert [line.split(",")[0] for line in lines[1:]] == ["OpenGL", *["ray cast"] * 3] * 2
@@ -44,8 +44,8 @@ def test_table_csv_and_picture(tmp_path, capsys):
 
 
 def test_light_is_measured_once(tmp_path, capsys):
-    words = ["--counts", 100, 300, "--size", 80, 60, "--turns", 1, "--only", "path trace"]
-    assert bench(tmp_path, *words) == 0
+    options = ["--counts", 100, 300, "--size", 80, 60, "--turns", 1, "--only", "path trace"]
+    assert bench(tmp_path, *options) == 0
     assert "path trace, bvh, 16 paths" in capsys.readouterr().out
     with (tmp_path / "b.csv").open(newline="") as file:
         rows = list(csv.DictReader(file))
@@ -62,23 +62,23 @@ def test_light_is_measured_once(tmp_path, capsys):
 
 
 def test_what_is_done_is_kept(tmp_path, monkeypatch, capsys):
-    def stopped(*arguments, **words):
-        rows = whole(*arguments, **words)
+    def stopped(*arguments, **kwargs):
+        rows = whole(*arguments, **kwargs)
         yield next(rows)
         rows.close()
         raise KeyboardInterrupt
 
     whole = command.measure
     monkeypatch.setattr(command, "measure", stopped)
-    words = ["--counts", 100, 200, "--size", 40, 30, "--turns", 1, "--only", "cast, bvh"]
-    assert bench(tmp_path, *words) == 130
+    options = ["--counts", 100, 200, "--size", 40, 30, "--turns", 1, "--only", "cast, bvh"]
+    assert bench(tmp_path, *options) == 130
     assert "ray cast, bvh" in capsys.readouterr().out
     assert len((tmp_path / "b.csv").read_text().splitlines()) == 4
     assert (tmp_path / "b.png").is_file()
 
 
 @pytest.mark.parametrize(
-    ("words", "message"),
+    ("options", "message"),
     [
         (["--counts", 99], "--counts: found [99], expected numbers from 100"),
         (["--only", "fluid"], "--only: found 'fluid', expected a part of: OpenGL;"),
@@ -89,9 +89,9 @@ def test_what_is_done_is_kept(tmp_path, monkeypatch, capsys):
         (["--csv", "no/b.csv"], "no/b.csv: there is no folder"),
     ],
 )
-def test_bad_arguments(tmp_path, monkeypatch, capsys, words, message):
+def test_bad_arguments(tmp_path, monkeypatch, capsys, options, message):
     monkeypatch.chdir(tmp_path)
-    assert cli.main(["bench", *map(str, words)]) == 2
+    assert cli.main(["bench", *map(str, options)]) == 2
     said = capsys.readouterr().err
     assert message in said
     assert len(said.splitlines()) == 1

@@ -9,9 +9,10 @@ import pytest
 import pyvista as pv
 import spherepacking
 from spherepacking.bench import measure, table
+from spherepacking.bench.catalog import everything, own
 from spherepacking.bench.measure import Expected, color_error, errors_of, expect, take_turns
-from spherepacking.bench.scenes import camera_of_all, depths_of, knot_tube
-from spherepacking.bench.techniques import Seen, Technique, everything, own
+from spherepacking.bench.technique import Seen, Technique
+from spherepacking.testing.scenes import camera_of_all, depths_of, knot_tube
 
 SIZE = (120, 90)
 
@@ -150,4 +151,4 @@ def test_csv_has_every_number():
 
 
 def test_the_scene_is_part_of_the_package():
-    assert spherepacking.bench.scenes.knot_tube(100).n_points == 100
+    assert spherepacking.testing.scenes.knot_tube(100).n_points == 100

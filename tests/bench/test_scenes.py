@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from spherepacking.accessor import PackingAccessor
-from spherepacking.bench.scenes import knot_tube
+from spherepacking.testing.scenes import knot_tube
 
 
 def knot(t):

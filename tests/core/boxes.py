@@ -2,21 +2,21 @@
 
 import numpy as np
 import pyvista as pv
-from spherepacking._errors import ErrorLog
+from spherepacking.vtk_tools import ErrorLog
 
 
 def boxes_of(algorithm, packing):
-    log = ErrorLog(algorithm)
     algorithm.SetInputData(packing)
-    algorithm.Update()
+    with ErrorLog(algorithm) as log:
+        algorithm.Update()
     assert not log.messages
     return pv.wrap(algorithm.GetOutput())
 
 
 def refusal(algorithm, packing):
-    log = ErrorLog(algorithm)
     algorithm.SetInputData(packing)
-    algorithm.Update()
+    with ErrorLog(algorithm) as log:
+        algorithm.Update()
     assert algorithm.GetErrorCode() != 0
     assert algorithm.GetErrorMessage() in log.messages[0]
     assert algorithm.GetOutput().GetNumberOfCells() == 0

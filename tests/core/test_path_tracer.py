@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 import pyvista as pv
 from arrays import packing_of
-from spherepacking._backend import vtkSpherePackingPathTracer
+from spherepacking.backend import vtkSpherePackingPathTracer
 
 STRUCTURES = {"none": 0, "grid": 1, "bvh": 2}
 ARRAYS = {

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from arrays import packing_of
 from rays import Exact, check, towards
-from spherepacking._backend import reference, vtkSpherePackingTracer
+from spherepacking.backend import reference, vtkSpherePackingTracer
 
 STRUCTURES = {"none": 0, "grid": 1, "bvh": 2}
 
@@ -202,8 +202,8 @@ def test_radius_zero_is_never_hit():
 
 
 def test_the_solar_system(rng, data_file):
-    """Radii from 2 to 700 000 km, up to 6e9 km apart."""
-    bodies = json.loads(data_file("starscape_solar-system.json").read_text())["bodies"]
+    """Radii from 1000 to 700 000 km, up to 6e9 km apart."""
+    bodies = json.loads(data_file("planets.json").read_text())["bodies"]
     centers = np.array([body["position"] for body in bodies])
     radii = np.array([body["radius"] for body in bodies])
     origins, directions = around(rng, centers, radii, 1500)

@@ -17,14 +17,14 @@ def image_sky(rng):
 @pytest.mark.parametrize("sky", ["gradient and sun", "image"])
 def test_no_bias(rng, sky):
     """The mean over seeds is that of 65536 samples, in whole and pixel by pixel."""
-    words = LIGHT if sky == "gradient and sun" else {"sky": image_sky(rng)}
+    kwargs = LIGHT if sky == "gradient and sun" else {"sky": image_sky(rng)}
     # Paths are ended by chance from the fourth bounce on.
-    words = words | {"max_bounces": 12, "albedo": 0.7}
+    kwargs = kwargs | {"max_bounces": 12, "albedo": 0.7}
     packing, camera, size = cluster(rng), camera_of((4, 3, 2), angle=30.0), (8, 8)
-    reference = np.array(trace(packing, camera, size, samples=65536, seed=1, **words)["radiance"])
+    reference = np.array(trace(packing, camera, size, samples=65536, seed=1, **kwargs)["radiance"])
     seeds = rng.integers(2, 2**32, 200)
     found = np.array(
-        [trace(packing, camera, size, samples=4, seed=int(s), **words)["radiance"] for s in seeds]
+        [trace(packing, camera, size, samples=4, seed=int(s), **kwargs)["radiance"] for s in seeds]
     )
     mean, error = found.mean(axis=0), found.std(axis=0, ddof=1) / np.sqrt(len(seeds))
     whole = found.mean(axis=(1, 2))

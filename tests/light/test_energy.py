@@ -209,9 +209,9 @@ def test_colour_bleeds():
     packing = packing_of([[0, 0, 0], [2, 0, 0]], 1.0)
     packing["paint_rgb"] = np.array([[255, 255, 255], [255, 0, 0]], np.uint8)
     camera = camera_of((0.9, -6, 0), (0.9, 0, 0), scale=0.02)
-    words = {"scalars": "paint_rgb", "samples": 256, "albedo": 1.0}
+    kwargs = {"scalars": "paint_rgb", "samples": 256, "albedo": 1.0}
     first, more = (
-        trace(packing, camera, (8, 1), max_bounces=n, **words)["radiance"] for n in (1, 6)
+        trace(packing, camera, (8, 1), max_bounces=n, **kwargs)["radiance"] for n in (1, 6)
     )
     # The first pixels see the white sphere.
     np.testing.assert_allclose(first[0, 0], first[0, 1])

@@ -21,8 +21,8 @@ def camera_of(position, focal_point=(0, 0, 0), up=(0, 0, 1), angle=30.0, scale=N
     return camera
 
 
-def trace(packing, camera, size=(32, 32), **words):
-    return PackingAccessor(packing).path_trace(camera, size, **words)
+def trace(packing, camera, size=(32, 32), **kwargs):
+    return PackingAccessor(packing).path_trace(camera, size, **kwargs)
 
 
 def cluster(rng, n=60):

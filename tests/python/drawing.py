@@ -23,9 +23,9 @@ def packing(n=3, **arrays):
 
 
 @contextmanager
-def plotter(**words):
+def plotter(**kwargs):
     """Make a plotter that sees x and y from -5 to 5 in 100 by 100 pixels, background black."""
-    scene = pv.Plotter(off_screen=True, window_size=(SIZE, SIZE), **words)
+    scene = pv.Plotter(off_screen=True, window_size=(SIZE, SIZE), **kwargs)
     scene.set_background("black")
     scene.camera_position = [(0.0, 0.0, 20.0), (0.0, 0.0, 0.0), (0.0, 1.0, 0.0)]
     scene.enable_parallel_projection()
@@ -42,8 +42,8 @@ def at_spheres(picture, n=3):
     return np.asarray(picture)[MIDDLE, columns]
 
 
-def colours(mesh, **words):
-    """Return colours (n, 3) of the unlit spheres of `mesh` as `add` draws them with `words`."""
+def colours(mesh, **kwargs):
+    """Return colours (n, 3) of the unlit spheres of `mesh` as `add` draws them with `kwargs`."""
     with plotter() as scene:
-        scene.packing.add(mesh, lighting=False, show_scalar_bar=False, **words)
+        scene.packing.add(mesh, lighting=False, show_scalar_bar=False, **kwargs)
         return at_spheres(scene.screenshot(None, return_img=True), mesh.n_points).astype(int)

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 import pyvista as pv
 import spherepacking
-from spherepacking.cli import main
+from spherepacking.cli.main import main
 
 COMMANDS = ("render", "info", "convert")
 
@@ -60,7 +60,7 @@ def test_help_imports_neither_vtk_nor_numpy():
     """They take most of a second."""
     code = """
 import sys
-from spherepacking.cli import main
+from spherepacking.cli.main import main
 main(["--help"])
 print([name for name in ("numpy", "pyvista", "cvista", "vtkmodules") if name in sys.modules])
 """
@@ -110,7 +110,7 @@ def test_a_bug_is_no_error_of_the_user(monkeypatch, file, error):
     def describe(_packing):
         raise error("bug")
 
-    monkeypatch.setattr("spherepacking._info.describe", describe)
+    monkeypatch.setattr("spherepacking.cli.info.describe", describe)
     with pytest.raises(error, match="bug"):
         main(["info", str(file)])
 
@@ -213,9 +213,9 @@ def test_render_wide_radii_on_a_logarithmic_scale(tmp_path):
     file = tmp_path / "wide.spheres"
     file.write_text("0 0 0 100\n300 0 0 10\n350 0 0 1\n")
     where = ("--camera", 300, -1000, 0, "--focal", 300, 0, 0, "--view-angle", 2)
-    words = ("--cmap", "gray", "--background", "red", "--no-scalar-bar", "--size", 99, 99, *where)
-    middle = draw(file, *words)[49, 49].astype(int)
-    linear = draw(file, *words, "--no-log-scale")[49, 49].astype(int)
+    options = ("--cmap", "gray", "--background", "red", "--no-scalar-bar", "--size", 99, 99, *where)
+    middle = draw(file, *options)[49, 49].astype(int)
+    linear = draw(file, *options, "--no-log-scale")[49, 49].astype(int)
     assert 60 < middle[0] < 200
     assert linear[0] < 60
 
@@ -223,10 +223,10 @@ def test_render_wide_radii_on_a_logarithmic_scale(tmp_path):
 def test_equal_radii_are_not_coloured_by(tmp_path):
     file = tmp_path / "equal.spheres"
     file.write_text("0 0 0 1\n3 0 0 1\n")
-    words = ("--size", 100, 100)
-    plain = draw(file, *words, "--color", pv.global_theme.color.name)
-    assert np.array_equal(draw(file, *words), plain)
-    assert not np.array_equal(draw(file, *words, "--scalars", "radius"), plain)
+    options = ("--size", 100, 100)
+    plain = draw(file, *options, "--color", pv.global_theme.color.name)
+    assert np.array_equal(draw(file, *options), plain)
+    assert not np.array_equal(draw(file, *options, "--scalars", "radius"), plain)
 
 
 def test_render_zero_radii(tmp_path):
@@ -236,8 +236,8 @@ def test_render_zero_radii(tmp_path):
 
 
 @pytest.mark.parametrize("scale", [1e-15, 1e-8, 1e8, 1e13])
-@pytest.mark.parametrize("words", [(), ("--parallel",)], ids=["perspective", "parallel"])
-def test_the_unit_of_length_does_not_matter(tmp_path, scale, words):
+@pytest.mark.parametrize("options", [(), ("--parallel",)], ids=["perspective", "parallel"])
+def test_the_unit_of_length_does_not_matter(tmp_path, scale, options):
     """Within what render accepts, pictures differ by rounding at edges only."""
     pictures = []
     for unit in (1.0, scale):
@@ -245,7 +245,7 @@ def test_the_unit_of_length_does_not_matter(tmp_path, scale, words):
         mesh = pv.PolyData(unit * np.array([[0, 0, 0], [10, 0, 0], [0, 0, 10]], dtype=float))
         mesh["radius"] = unit * np.array([2.0, 1.0, 0.5])
         spherepacking.write(mesh, file)
-        pictures.append(draw(file, *PLAIN, "--no-anti-aliasing", *words).astype(int))
+        pictures.append(draw(file, *PLAIN, "--no-anti-aliasing", *options).astype(int))
     assert covered(pictures[0]) > 0.01
     assert (np.abs(pictures[1] - pictures[0]).max(axis=-1) > 8).sum() <= 4
 
@@ -273,9 +273,9 @@ def test_render_says_what_a_picture_cannot_hold(tmp_path, capfd, message):
 
 @pytest.mark.parametrize("factor", ["1e300", "1e-300"])
 def test_length_of_up_does_not_matter(file, factor):
-    words = ("--camera", 20, 0, 0, "--focal", 0, 0, 0)
-    expected = draw(file, *PLAIN, *words, "--up", 0, 1, 1)
-    assert np.array_equal(draw(file, *PLAIN, *words, "--up", 0, factor, factor), expected)
+    options = ("--camera", 20, 0, 0, "--focal", 0, 0, 0)
+    expected = draw(file, *PLAIN, *options, "--up", 0, 1, 1)
+    assert np.array_equal(draw(file, *PLAIN, *options, "--up", 0, factor, factor), expected)
 
 
 @pytest.mark.parametrize("structure", ["bvh", "grid", "none"])
@@ -310,7 +310,7 @@ def test_render_boxes(file, technique, option, few, many):
     assert 0.0 < dark[0] < dark[1]
 
 
-@pytest.mark.parametrize("name", ["deme_TeddyBear.csv", "voronota_3dlb.xyzr", "apbs_achbp.pqr"])
+@pytest.mark.parametrize("name", ["clump.csv", "atoms.xyzr", "chain.pqr"])
 def test_render_real_input(tmp_path, data_file, name):
     output = tmp_path / "a.png"
     assert main(["render", str(data_file(name)), "-o", str(output), "--size", "200", "200"]) == 0
@@ -347,12 +347,12 @@ def test_histogram_counts_every_sphere_once(tmp_path, capsys, radii):
     assert main(["info", str(file)]) == 0
     lines = [line for line in capsys.readouterr().out.splitlines() if " .. " in line]
     bins = [line.split() for line in lines if line.startswith("  ")]
-    assert sum(int(words[3].replace(",", "")) for words in bins) == len(radii)
-    for words in bins:
-        low, high = float(words[0]), float(words[2])
+    assert sum(int(columns[3].replace(",", "")) for columns in bins) == len(radii)
+    for columns in bins:
+        low, high = float(columns[0]), float(columns[2])
         assert low <= high
         inside = sum(low * (1 - 1e-4) <= r <= high * (1 + 1e-4) for r in radii)
-        assert inside >= int(words[3])
+        assert inside >= int(columns[3])
 
 
 @pytest.mark.parametrize(
@@ -392,7 +392,7 @@ ERRORS = {
     "paint": "paint",
     "info {good} --nonsense": "--nonsense",
     "info {none}": "none.spheres",
-    "info {folder}": "is a directory",
+    "info {folder}": "found a directory",
     "info {bad}": "bad.spheres.*line 2",
     "render {bad} -o {png}": "bad.spheres.*line 2",
     "render {good} -o {png} --zoom big": "big",
@@ -420,7 +420,7 @@ ERRORS = {
     "render {good} -o {png} --technique raycast --samples 0": "samples: found 0, expected",
     "render {good} -o {png} --technique painting": "painting",
     "render {good} -o {png} --technique grid --cuts -1": "cuts: found -1, expected",
-    "render {good} -o {png} --camera 9 0 0 --focal 9 0 0": "the camera stands where it looks at",
+    "render {good} -o {png} --camera 9 0 0 --focal 9 0 0": "the position 9 0 0 at the focal",
     "render {good} -o {png} --camera 9 0 0 --focal 0 0 0 --up 1 0 0": "--up: found the direction",
     "render {good} -o {folder}/a.nonsense": "a.nonsense",
     "render {good} -o {folder}/no/a.png": "there is no folder",
@@ -433,7 +433,7 @@ ERRORS = {
 def test_no_name_is_no_file(capfd):
     assert main(["info", ""]) == 2
     assert re.fullmatch(
-        "spherepacking: .*is a directory, expected a file .*\n", capfd.readouterr().err
+        "spherepacking: .*found a directory, expected a file .*\n", capfd.readouterr().err
     )
 
 

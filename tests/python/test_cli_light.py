@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 import spherepacking
-from spherepacking.cli import main
+from spherepacking.cli.main import main
 
 
 @pytest.fixture
@@ -18,9 +18,9 @@ def draw(file):
     """Return a function from options to the picture that they make."""
     output = file.with_suffix(".png")
 
-    def run(*words):
+    def run(*options):
         view = ["--size", 60, 40, "--technique", "pathtrace", "--samples", 4, "--color", "white"]
-        arguments = ["render", file, "-o", output, *view, *words]
+        arguments = ["render", file, "-o", output, *view, *options]
         assert main([str(word) for word in arguments]) == 0
         return spherepacking.read_image(output)
 
@@ -56,21 +56,21 @@ def test_backgrounds(draw):
 
 def test_radii_colour_the_spheres(file):
     output = file.with_suffix(".png")
-    words = ["--size", "60", "40", "--technique", "pathtrace", "--sky", "0.5", "--cmap", "magma"]
-    assert main(["render", str(file), "-o", str(output), *words]) == 0
+    options = ["--size", "60", "40", "--technique", "pathtrace", "--sky", "0.5", "--cmap", "magma"]
+    assert main(["render", str(file), "-o", str(output), *options]) == 0
     picture = spherepacking.read_image(output)[..., :3].astype(int)
     assert (picture.max(axis=-1) - picture.min(axis=-1)).max() > 30
 
 
 def test_exr_holds_layers(file):
     output = file.with_suffix(".exr")
-    words = ["--size", "30", "20", "--technique", "pathtrace", "--samples", "2"]
-    assert main(["render", str(file), "-o", str(output), *words]) == 0
+    options = ["--size", "30", "20", "--technique", "pathtrace", "--samples", "2"]
+    assert main(["render", str(file), "-o", str(output), *options]) == 0
     assert spherepacking.read_image(output).shape == (20, 30, 15)
 
 
 @pytest.mark.parametrize(
-    ("words", "found"),
+    ("options", "found"),
     [
         (("--samples", 0), "samples: found 0"),
         (("--max-bounces", -1), "max_bounces: found -1"),
@@ -82,9 +82,9 @@ def test_exr_holds_layers(file):
         (("--opacity", 0.5), "--opacity: found 0.5, expected 1 with --technique pathtrace"),
     ],
 )
-def test_refusals(file, tmp_path, capfd, words, found):
+def test_refusals(file, tmp_path, capfd, options, found):
     output = tmp_path / "a.png"
-    arguments = ["render", file, "-o", output, "--technique", "pathtrace", *words]
+    arguments = ["render", file, "-o", output, "--technique", "pathtrace", *options]
     assert main([str(word) for word in arguments]) == 2
     assert found in capfd.readouterr().err
     assert not output.exists()

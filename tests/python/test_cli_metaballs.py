@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 import spherepacking
-from spherepacking.cli import main
+from spherepacking.cli.main import main
 
 
 @pytest.fixture
@@ -17,11 +17,11 @@ def file(tmp_path):
 def draw(file):
     """Return a function from options to the exit status; the picture is beside the file."""
 
-    def run(*words):
+    def run(*options):
         view = ["--size", 90, 60, "--technique", "metaballs"]
-        if "--dimensions" not in words:
+        if "--dimensions" not in options:
             view += ["--dimensions", 40]
-        arguments = ["render", file, "-o", file.with_suffix(".png"), *view, *words]
+        arguments = ["render", file, "-o", file.with_suffix(".png"), *view, *options]
         return main([str(word) for word in arguments])
 
     return run
@@ -42,15 +42,15 @@ def test_it_fills_the_picture(draw, file):
 def test_count_and_weights(draw, file):
     view = ("--kernel", "wyvill", "--camera", 0, -20, 0, "--focal", 0, 0, 0, "--transparent")
     covered = []
-    for words in ((), ("--count", 1), ("--weights", 1, 0, 0), ("--weights", 0, 1, 1)):
-        assert draw(*view, *words) == 0
+    for options in ((), ("--count", 1), ("--weights", 1, 0, 0), ("--weights", 0, 1, 1)):
+        assert draw(*view, *options) == 0
         covered.append((shown(file)[..., 3] > 0).sum())
     whole, largest, weighted, others = covered
     assert whole > largest == weighted > others > 0
 
 
 @pytest.mark.parametrize(
-    ("words", "found"),
+    ("options", "found"),
     [
         (("--threshold", 1e9), "--threshold: metaballs: the threshold 1e+09 is above all values"),
         (("--threshold", -1), "threshold: found -1"),
@@ -60,7 +60,7 @@ def test_count_and_weights(draw, file):
         (("--kernel", "cubic"), "cubic"),
     ],
 )
-def test_refusals(draw, file, words, found, capsys):
-    assert draw(*words) != 0
+def test_refusals(draw, file, options, found, capsys):
+    assert draw(*options) != 0
     assert found in capsys.readouterr().err
     assert not file.with_suffix(".png").exists()

@@ -6,7 +6,7 @@ import sys
 
 import numpy as np
 import pytest
-from spherepacking.cli import main
+from spherepacking.cli.main import main
 
 
 @pytest.fixture
@@ -38,7 +38,7 @@ def test_stopped_later(file, monkeypatch, capsys):
     def describe(_packing):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("spherepacking._info.describe", describe)
+    monkeypatch.setattr("spherepacking.cli.info.describe", describe)
     assert main(["info", str(file)]) == 130
     assert capsys.readouterr().err == "spherepacking: stopped\n"
 
@@ -46,10 +46,10 @@ def test_stopped_later(file, monkeypatch, capsys):
 @pytest.mark.parametrize("command", ["info", "render"])
 def test_stopped_at_any_time(file, command):
     """Libraries that are being loaded may crash when Ctrl-C comes."""
-    words = ["-o", file.with_suffix(".png")] if command == "render" else []
+    options = ["-o", file.with_suffix(".png")] if command == "render" else []
     for wait in np.linspace(0.05, 1.0, 8):
         process = subprocess.Popen(
-            [sys.executable, "-m", "spherepacking", command, file, *words],
+            [sys.executable, "-m", "spherepacking", command, file, *options],
             stdout=subprocess.DEVNULL,
             stderr=subprocess.PIPE,
         )

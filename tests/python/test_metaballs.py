@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 import pyvista as pv
 import spherepacking
-from spherepacking.bench.fields import exact_sums
-from spherepacking.bench.scenes import knot_tube
+from spherepacking.testing.fields import exact_sums
+from spherepacking.testing.scenes import knot_tube
 
 KERNELS = ("inverse", "inverse_square", "gaussian", "wyvill")
 
@@ -218,8 +218,8 @@ def test_strongest_is_somebody_on_a_coarse_grid():
     pair = pv.PolyData([[0.0, 0, 0], [50, 0, 0]])
     pair["radius"] = [1.0, 1.0]
     pair["paint_rgb"] = np.array([[255, 0, 0], [0, 0, 255]], np.uint8)
-    words = {"coloring": "strongest", "scalars": "paint_rgb", "kernel": "wyvill"}
-    surface = pair.packing.metaballs(0.01, dimensions=(160, 12, 12), **words)
+    kwargs = {"coloring": "strongest", "scalars": "paint_rgb", "kernel": "wyvill"}
+    surface = pair.packing.metaballs(0.01, dimensions=(160, 12, 12), **kwargs)
     assert surface.n_points
     assert (surface["sphere_id"] == (surface.points[:, 0] > 25)).all()
 
@@ -234,9 +234,9 @@ def test_colours_are_those_of_the_plotter(packing):
     assert np.abs(surface["color"].astype(int) - expected).max() <= 2
 
 
-@pytest.mark.parametrize("words", [{"coloring": None}, {"color": "red"}])
-def test_without_colours(packing, words):
-    surface = packing.packing.metaballs(10.0, dimensions=24, **words)
+@pytest.mark.parametrize("kwargs", [{"coloring": None}, {"color": "red"}])
+def test_without_colours(packing, kwargs):
+    surface = packing.packing.metaballs(10.0, dimensions=24, **kwargs)
     assert "color" not in surface.point_data
 
 
@@ -248,8 +248,8 @@ def test_field_has_what_is_asked_for(packing):
     assert image.dimensions == (8, 9, 10)
     assert image.point_data.keys() == ["field"]
     assert image.active_scalars_name == "field"
-    words = {"gradient": True, "strongest": True, "blend": True}
-    image = packing.packing.metaball_field(spacing=0.4, **words)
+    kwargs = {"gradient": True, "strongest": True, "blend": True}
+    image = packing.packing.metaball_field(spacing=0.4, **kwargs)
     assert set(image.point_data.keys()) == {"field", "gradient", "strongest", "blend"}
     assert image.spacing == (0.4, 0.4, 0.4)
 
@@ -301,16 +301,16 @@ BAD = [
 ]
 
 
-@pytest.mark.parametrize(("words", "error", "found"), BAD)
-def test_refusals(packing, words, error, found):
-    given = words if "spacing" in words else {"dimensions": 4} | words
+@pytest.mark.parametrize(("kwargs", "error", "found"), BAD)
+def test_refusals(packing, kwargs, error, found):
+    given = kwargs if "spacing" in kwargs else {"dimensions": 4} | kwargs
     with pytest.raises(error, match=found):
         packing.packing.metaball_field(**given, blend=True)
     threshold = given.pop("threshold", 10.0)
     with pytest.raises(error, match=found):
         packing.packing.metaballs(threshold, **given)
     plotter = pv.Plotter(off_screen=True)
-    if "progress" not in words:
+    if "progress" not in kwargs:
         with pytest.raises(error, match=found):
             plotter.packing.add_metaballs(packing, threshold, **given)
     assert not plotter.renderer.actors
@@ -356,16 +356,16 @@ def picture(plotter):
     return np.asarray(plotter.screenshot(None, return_img=True)).astype(int)
 
 
-WORDS = {"kernel": "inverse_square", "dimensions": 32}
+OPTIONS = {"kernel": "inverse_square", "dimensions": 32}
 
 
 def test_a_threshold_needs_no_new_field(plotter, packing):
-    balls = plotter.packing.add_metaballs(packing, 8.0, **WORDS)
+    balls = plotter.packing.add_metaballs(packing, 8.0, **OPTIONS)
     before = picture(plotter)
     bounds = balls._field.bounds
     balls.threshold = 9.0
     assert balls.sums == 1
-    expected = packing.packing.metaballs(9.0, bounds=bounds, **WORDS)
+    expected = packing.packing.metaballs(9.0, bounds=bounds, **OPTIONS)
     assert np.abs(balls.surface.points - expected.points).max() < 1e-4
     assert np.abs(picture(plotter) - before).mean() > 0.1
     balls.threshold = 8.0
@@ -380,13 +380,13 @@ def test_a_surface_that_shrinks_gets_a_finer_grid(plotter, change):
     balls = plotter.packing.add_metaballs(one_sphere(), first, dimensions=32)
     (name, value), *_ = change.items()
     setattr(balls, name, value)
-    words = {"threshold": first} | change
-    expected = one_sphere().packing.metaballs(words.pop("threshold"), dimensions=32, **words)
+    kwargs = {"threshold": first} | change
+    expected = one_sphere().packing.metaballs(kwargs.pop("threshold"), dimensions=32, **kwargs)
     assert (balls.surface.points == expected.points).all()
 
 
 def test_a_surface_that_grows_gets_a_larger_grid(plotter, packing):
-    balls = plotter.packing.add_metaballs(packing, 10.0, **WORDS)
+    balls = plotter.packing.add_metaballs(packing, 10.0, **OPTIONS)
     balls.threshold = 0.5
     assert balls.sums == 2
     assert balls.surface.n_open_edges == 0
@@ -394,7 +394,7 @@ def test_a_surface_that_grows_gets_a_larger_grid(plotter, packing):
 
 
 def test_weights_reuse_the_fields_of_the_ranges(plotter, packing):
-    balls = plotter.packing.add_metaballs(packing, 10.0, **WORDS)
+    balls = plotter.packing.add_metaballs(packing, 10.0, **OPTIONS)
     bounds = balls._field.bounds
     balls.weights = [1.0, 0.5, 0.2]
     sums = balls.sums
@@ -402,7 +402,7 @@ def test_weights_reuse_the_fields_of_the_ranges(plotter, packing):
     balls.weights = (0.9, 0.0, 0.6)
     assert balls.sums == sums
     assert balls.weights == (0.9, 0.0, 0.6)
-    direct = packing.packing.metaballs(10.0, weights=(0.9, 0.0, 0.6), bounds=bounds, **WORDS)
+    direct = packing.packing.metaballs(10.0, weights=(0.9, 0.0, 0.6), bounds=bounds, **OPTIONS)
     assert balls.surface.n_points == direct.n_points
     assert np.abs(balls.surface.points - direct.points).max() < 1e-2
     assert np.abs(balls.surface["color"].astype(int) - direct["color"]).mean() < 2
@@ -410,7 +410,7 @@ def test_weights_reuse_the_fields_of_the_ranges(plotter, packing):
 
 def test_weights_that_grow_find_room(plotter, packing):
     """A grid that a surface grew out of is followed by one with room, and by no waste of sums."""
-    balls = plotter.packing.add_metaballs(packing, 10.0, weights=[1, 1, 1, 1], **WORDS)
+    balls = plotter.packing.add_metaballs(packing, 10.0, weights=[1, 1, 1, 1], **OPTIONS)
     balls.weights = [1.2, 1.2, 1.2, 1.2]
     assert balls.sums == 2
     balls.weights = [1.3, 1.2, 1.2, 1.2]
@@ -435,38 +435,38 @@ def test_surfaces_that_no_grid_fits_better(plotter):
 
 def test_weights_after_the_packing_changed(plotter, packing):
     """Fields of before and after are not mixed."""
-    balls = plotter.packing.add_metaballs(packing, 5.0, weights=[1, 1], **WORDS)
+    balls = plotter.packing.add_metaballs(packing, 5.0, weights=[1, 1], **OPTIONS)
     balls.weights = [1, 0.9]
     packing.points[0] = [9.0, 0.0, 0.0]
     packing.Modified()
     balls.weights = [0.9, 1]
-    expected = packing.packing.metaballs(5.0, weights=[0.9, 1], **WORDS)
+    expected = packing.packing.metaballs(5.0, weights=[0.9, 1], **OPTIONS)
     assert (balls.surface.points == expected.points).all()
 
 
 def test_weights_are_a_copy_and_can_be_taken_away(plotter, packing):
     weights = np.array([1.0, 2.0])
-    balls = plotter.packing.add_metaballs(packing, 5.0, weights=weights, **WORDS)
+    balls = plotter.packing.add_metaballs(packing, 5.0, weights=weights, **OPTIONS)
     weights[:] = 7
     assert balls.weights == (1.0, 2.0)
     balls.weights = None
     assert balls.weights == ()
     balls.weights = balls.weights
-    assert (balls.surface.points == packing.packing.metaballs(5.0, **WORDS).points).all()
+    assert (balls.surface.points == packing.packing.metaballs(5.0, **OPTIONS).points).all()
 
 
 def test_update_after_the_packing_changed(plotter, packing):
-    balls = plotter.packing.add_metaballs(packing, 5.0, **WORDS)
+    balls = plotter.packing.add_metaballs(packing, 5.0, **OPTIONS)
     packing["radius"] *= 0.5
     balls.update()
-    assert (balls.surface.points == packing.packing.metaballs(5.0, **WORDS).points).all()
+    assert (balls.surface.points == packing.packing.metaballs(5.0, **OPTIONS).points).all()
 
 
 def test_count(plotter, packing):
-    balls = plotter.packing.add_metaballs(packing, 5.0, count=50, **WORDS)
+    balls = plotter.packing.add_metaballs(packing, 5.0, count=50, **OPTIONS)
     assert balls.count == 50
     balls.count = 5
-    assert (balls.surface.points == packing.packing.metaballs(5.0, count=5, **WORDS).points).all()
+    assert (balls.surface.points == packing.packing.metaballs(5.0, count=5, **OPTIONS).points).all()
 
 
 @pytest.mark.parametrize(
@@ -480,7 +480,7 @@ def test_count(plotter, packing):
     ],
 )
 def test_a_refused_change_changes_nothing(plotter, packing, name, value, error):
-    balls = plotter.packing.add_metaballs(packing, 5.0, count=50, weights=[1, 2], **WORDS)
+    balls = plotter.packing.add_metaballs(packing, 5.0, count=50, weights=[1, 2], **OPTIONS)
     before, points = getattr(balls, name), np.array(balls.surface.points)
     with pytest.raises(error, match=f"{name}: found"):
         setattr(balls, name, value)
@@ -489,7 +489,7 @@ def test_a_refused_change_changes_nothing(plotter, packing, name, value, error):
 
 
 def test_strongest_follows_weights(plotter, packing):
-    balls = plotter.packing.add_metaballs(packing, 5.0, coloring="strongest", **WORDS)
+    balls = plotter.packing.add_metaballs(packing, 5.0, coloring="strongest", **OPTIONS)
     balls.weights = [0.0, 1.0]
     half = np.argsort(-packing["radius"], kind="stable")[150:]
     assert np.isin(balls.surface["sphere_id"], half).all()
@@ -497,7 +497,7 @@ def test_strongest_follows_weights(plotter, packing):
 
 def test_an_empty_surface_in_a_plotter(plotter, packing):
     with pytest.warns(UserWarning, match="the surface is empty"):
-        balls = plotter.packing.add_metaballs(packing, 1e9, **WORDS)
+        balls = plotter.packing.add_metaballs(packing, 1e9, **OPTIONS)
     blank = picture(plotter)
     balls.threshold = 5.0
     plotter.reset_camera()
@@ -506,7 +506,7 @@ def test_an_empty_surface_in_a_plotter(plotter, packing):
 
 def test_names_replace(plotter, packing):
     for color in ("red", "blue"):
-        plotter.packing.add_metaballs(packing, 5.0, color=color, name="balls", **WORDS)
+        plotter.packing.add_metaballs(packing, 5.0, color=color, name="balls", **OPTIONS)
     assert len(plotter.renderer.actors) == 1
     assert tuple(plotter.renderer.actors["balls"].prop.color.int_rgb) == (0, 0, 255)
 

@@ -12,9 +12,8 @@ import numpy as np
 import pytest
 import pyvista as pv
 import spherepacking
-from spherepacking._pack_file import read_surface
-from spherepacking._ply import ends_early
-from spherepacking.cli import main
+from spherepacking.cli.main import main
+from spherepacking.files.surfaces import ends_early, read_surface
 
 
 @pytest.fixture
@@ -53,10 +52,10 @@ def test_limits():
 
 
 @pytest.mark.parametrize(
-    ("words", "error", "message"),
+    ("kwargs", "error", "message"),
     [
-        ({"mesh": pv.ImageData(dimensions=(3, 3, 3))}, TypeError, "mesh: found ImageData"),
-        ({"mesh": None}, TypeError, "mesh: found NoneType"),
+        ({"mesh": pv.ImageData(dimensions=(3, 3, 3))}, TypeError, "mesh: found a ImageData"),
+        ({"mesh": None}, TypeError, "mesh: found a NoneType"),
         ({"mesh": pv.Plane()}, ValueError, "surface: found 40 open edges"),
         ({"mesh": pv.PolyData()}, ValueError, "surface: found no triangles"),
         ({"mesh": pv.Cube(z_length=1e-6)}, ValueError, "surface: found no sphere of a millionth"),
@@ -75,19 +74,18 @@ def test_limits():
         ({"progress_bar": 1}, TypeError, "progress_bar: found 1"),
     ],
 )
-def test_bad_arguments(words, error, message):
-    arguments = {"mesh": pv.Cube(), "count": 5, **words}
+def test_bad_arguments(kwargs, error, message):
+    arguments = {"mesh": pv.Cube(), "count": 5, **kwargs}
     with pytest.raises(error, match=message):
         spherepacking.pack(arguments.pop("mesh"), arguments.pop("count"), **arguments)
 
 
 def test_ctrl_c_when_all_are_there(monkeypatch):
-    @contextlib.contextmanager
-    def stopped(*_):
-        yield
+    def stopped(algorithm, *_, **__):
+        algorithm.Update()
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("spherepacking._pack.show_progress", stopped)
+    monkeypatch.setattr("spherepacking.make.pack.update", stopped)
     with pytest.warns(UserWarning, match="stopped after 20 of 20 spheres"):
         assert spherepacking.pack(pv.Cube(), 20).n_points == 20
 
@@ -134,13 +132,16 @@ def test_off_files(tmp_path, lines):
     [
         ([], "found no line that begins OFF"),
         (["4 4 0", *FOUR], "found no line that begins OFF"),
-        (["OFF", "4 x", *FOUR], "four.off:2: is no OFF file that can be read: found 4 x, expected"),
+        (["OFF", "4 x", *FOUR], "four.off:2: found 4 x, expected how many points"),
         (
             ["OFF", "4 4", *FOUR[:-1]],
             "found 7 lines after that with the numbers, expected 4 points",
         ),
-        (["OFF", "4 4", "1 2", *FOUR[1:]], "four.off:3: .* found 1 2, expected three coordinates"),
-        (["OFF", "4 4", *FOUR[:-1], "3 0 1 4"], "four.off:10: .* 3 0 1 4, expected .* from 0 to 3"),
+        (["OFF", "4 4", "1 2", *FOUR[1:]], "four.off:3: found 1 2, expected three coordinates"),
+        (
+            ["OFF", "4 4", *FOUR[:-1], "3 0 1 4"],
+            "four.off:10: found 3 0 1 4, expected .* from 0 to 3",
+        ),
         (["OFF", "4 4", *FOUR[:-1], "-3 0 1 2"], "four.off:10: "),
         (["OFF", "4 4", *FOUR[:-1], "3 0 1"], "four.off:10: "),
     ],
@@ -153,7 +154,7 @@ def test_bad_off_files(tmp_path, lines, message):
 
 
 @pytest.mark.parametrize(
-    ("words", "message"),
+    ("arguments", "message"),
     [
         (("none.ply", "out.spheres"), "none.ply: there is no such file"),
         (("cube.ply", "nowhere/out.spheres"), "there is no folder"),
@@ -162,13 +163,13 @@ def test_bad_off_files(tmp_path, lines, message):
         (("open.ply", "out.spheres"), "open edges"),
         (("points.ply", "out.spheres"), "found no polygons"),
         (("text.ply", "out.spheres"), "text.ply"),
-        (("text.vtk", "out.spheres"), "text.vtk: is no surface that can be read"),
+        (("text.vtk", "out.spheres"), "text.vtk: found no surface that can be read: "),
         (("cube.ply", "out.spheres", "--min-radius", "9"), "no sphere above that was found"),
         (("cube.ply", "out.spheres", "--count", "1.5"), "found 1.5, expected an integer"),
-        (("cut.ply", "out.spheres"), "cut.ply: is no surface that can be read: the file ends"),
+        (("cut.ply", "out.spheres"), "cut.ply: found a file that ends early, expected"),
     ],
 )
-def test_command_errors(cube_file, monkeypatch, capsys, words, message):
+def test_command_errors(cube_file, monkeypatch, capsys, arguments, message):
     monkeypatch.chdir(cube_file.parent)
     pv.Plane().save("open.ply")
     pv.PolyData(np.zeros((3, 3))).save("points.ply")
@@ -176,7 +177,7 @@ def test_command_errors(cube_file, monkeypatch, capsys, words, message):
     cube_file.with_name("text.txt").write_text("no surface\n")
     cube_file.with_name("text.ply").write_text("no surface\n")
     cube_file.with_name("text.vtk").write_text("no surface\n")
-    assert main(["pack", *words]) == 2
+    assert main(["pack", *arguments]) == 2
     said = capsys.readouterr().err
     assert message in said
     assert said.startswith("spherepacking: ")

@@ -23,8 +23,10 @@ def spheres():
     return spherepacking.apollonian(3)
 
 
-def light(spheres, **words):
-    return np.array(PackingAccessor(spheres).path_trace(VIEW, SIZE, samples=4, **words)["radiance"])
+def light(spheres, **kwargs):
+    return np.array(
+        PackingAccessor(spheres).path_trace(VIEW, SIZE, samples=4, **kwargs)["radiance"]
+    )
 
 
 def test_defaults(spheres):
@@ -94,8 +96,8 @@ def test_colours(spheres):
     assert hit.sum() > 100
     linear = ((128 / 255 + 0.055) / 1.055) ** 2.4
     np.testing.assert_allclose(albedo[hit], [[0.5, 0.5 * linear, 0.0]] * hit.sum(), rtol=1e-5)
-    for words in ({"scalars": "radius", "cmap": "magma"}, {"random_colors": True}):
-        image = spheres.packing.path_trace(VIEW, SIZE, samples=1, **words)
+    for kwargs in ({"scalars": "radius", "cmap": "magma"}, {"random_colors": True}):
+        image = spheres.packing.path_trace(VIEW, SIZE, samples=1, **kwargs)
         assert len(np.unique(image["albedo"], axis=0)) > 5
 
 
@@ -199,11 +201,11 @@ BAD = [
 ]
 
 
-@pytest.mark.parametrize(("words", "error", "found"), BAD)
-def test_refusals(spheres, words, error, found):
+@pytest.mark.parametrize(("kwargs", "error", "found"), BAD)
+def test_refusals(spheres, kwargs, error, found):
     accessor = PackingAccessor(spheres)
     with pytest.raises(error, match=found.replace("(", r"\(")):
-        accessor.path_trace(**({"camera": VIEW, "window_size": SIZE} | words))
+        accessor.path_trace(**({"camera": VIEW, "window_size": SIZE} | kwargs))
     # And works after that.
     assert (accessor.path_trace(VIEW, SIZE, samples=1)["coverage"] > 0).any()
 
@@ -293,9 +295,9 @@ needs_denoiser = pytest.mark.skipif(
 @needs_denoiser
 def test_a_preview_is_not_denoised(spheres):
     """Its pixels without light would be taken for dark ones."""
-    words = {"samples": 8, "time_budget": 1e-9, "preview": True}
-    image = PackingAccessor(spheres).path_trace(VIEW, SIZE, denoise=True, **words)
-    plain = PackingAccessor(spheres).path_trace(VIEW, SIZE, **words)
+    kwargs = {"samples": 8, "time_budget": 1e-9, "preview": True}
+    image = PackingAccessor(spheres).path_trace(VIEW, SIZE, denoise=True, **kwargs)
+    plain = PackingAccessor(spheres).path_trace(VIEW, SIZE, **kwargs)
     assert (image["samples"] == 0).any()
     assert "denoised" not in image.point_data
     assert (image["color"] == plain["color"]).all()
@@ -305,11 +307,11 @@ def test_a_preview_is_not_denoised(spheres):
 def test_denoising_comes_closer():
     spheres = spherepacking.apollonian(5)
     size = (160, 120)
-    words = {"sky": (0.2, 1.0), "sun": Sun((1, 0, 1), 1.0, 10.0)}
-    best = np.array(spheres.packing.path_trace(VIEW, size, samples=2048, **words)["radiance"])
+    kwargs = {"sky": (0.2, 1.0), "sun": Sun((1, 0, 1), 1.0, 10.0)}
+    best = np.array(spheres.packing.path_trace(VIEW, size, samples=2048, **kwargs)["radiance"])
     accessor = PackingAccessor(spheres)
-    noisy = accessor.path_trace(VIEW, size, samples=4, seed=1, **words)
-    image = accessor.path_trace(VIEW, size, samples=4, seed=1, denoise=True, **words)
+    noisy = accessor.path_trace(VIEW, size, samples=4, seed=1, **kwargs)
+    image = accessor.path_trace(VIEW, size, samples=4, seed=1, denoise=True, **kwargs)
     assert image.field_data["traced_samples"][0] == 0
     assert (image["radiance"] == noisy["radiance"]).all()
     before, after = (np.mean((a - best) ** 2) for a in (image["radiance"], image["denoised"]))

@@ -1,4 +1,4 @@
-"""``plotter.packing.add``: the words of ``add_mesh`` on spheres, in pixels."""
+"""``plotter.packing.add``: the arguments of ``add_mesh`` on spheres, in pixels."""
 
 import gc
 import inspect
@@ -18,7 +18,7 @@ def close(found, expected, tolerance=1):
     return np.abs(np.asarray(found) - np.asarray(expected)).max() <= tolerance
 
 
-# --- words ----------------------------------------------------------------------------------------
+# --- arguments ------------------------------------------------------------------------------------
 
 
 def test_words_are_those_of_add_mesh():
@@ -54,9 +54,9 @@ def test_scalars_by_name_through_a_colour_map():
 
 def test_scalars_as_array_match_scalars_by_name():
     mesh = packing(height=[0.0, 1.0, 2.0])
-    words = {"cmap": ["red", "lime", "blue"]}
-    named = colours(mesh, scalars="height", **words)
-    assert np.array_equal(colours(mesh, scalars=[0.0, 1.0, 2.0], **words), named)
+    kwargs = {"cmap": ["red", "lime", "blue"]}
+    named = colours(mesh, scalars="height", **kwargs)
+    assert np.array_equal(colours(mesh, scalars=[0.0, 1.0, 2.0], **kwargs), named)
 
 
 def test_active_scalars_unless_there_is_a_color():
@@ -101,16 +101,16 @@ def test_nan_opacity(opacity):
 
 
 def test_log_scale_of_clim_draws_the_others_in_the_lowest_colour():
-    words = {"scalars": "height", "cmap": ["red", "lime", "blue"]}
+    kwargs = {"scalars": "height", "cmap": ["red", "lime", "blue"]}
     mesh = packing(height=[-1.0, 10.0, 100.0])
-    assert close(colours(mesh, log_scale=True, clim=(1, 100), **words), RGB)
+    assert close(colours(mesh, log_scale=True, clim=(1, 100), **kwargs), RGB)
 
 
 def test_log_scale():
-    words = {"scalars": "height", "cmap": ["red", "lime", "blue"]}
+    kwargs = {"scalars": "height", "cmap": ["red", "lime", "blue"]}
     mesh = packing(height=[1.0, 10.0, 100.0])
-    assert close(colours(mesh, log_scale=True, **words), RGB)
-    assert not close(colours(mesh, **words), RGB)
+    assert close(colours(mesh, log_scale=True, **kwargs), RGB)
+    assert not close(colours(mesh, **kwargs), RGB)
 
 
 def test_flip_scalars():
@@ -122,9 +122,9 @@ def test_flip_scalars():
 
 def test_component_and_magnitude():
     mesh = packing(velocity=[[3.0, 4.0, 0.0], [0.0, 0.0, 0.0], [0.0, 5.0, 0.0]])
-    words = {"scalars": "velocity", "cmap": ["red", "blue"], "n_colors": 2}
-    assert close(colours(mesh, **words), [BLUE, RED, BLUE])
-    assert close(colours(mesh, component=0, **words), [BLUE, RED, RED])
+    kwargs = {"scalars": "velocity", "cmap": ["red", "blue"], "n_colors": 2}
+    assert close(colours(mesh, **kwargs), [BLUE, RED, BLUE])
+    assert close(colours(mesh, component=0, **kwargs), [BLUE, RED, RED])
 
 
 def test_text_scalars_are_categories():
@@ -302,13 +302,13 @@ def test_scalar_bar():
 
 
 @pytest.mark.parametrize(
-    "words", [{"color": "red"}, {"show_scalar_bar": False}, {"scalars": "tint", "rgb": True}]
+    "kwargs", [{"color": "red"}, {"show_scalar_bar": False}, {"scalars": "tint", "rgb": True}]
 )
-def test_no_scalar_bar(words):
+def test_no_scalar_bar(kwargs):
     with plotter() as scene:
         mesh = packing(height=[0, 1, 2], tint=np.array(RGB, np.uint8))
         mesh.set_active_scalars("height")
-        scene.packing.add(mesh, **words)
+        scene.packing.add(mesh, **kwargs)
         assert len(scene.scalar_bars) == 0
 
 
@@ -350,7 +350,7 @@ def test_named_arrays_stay_connected():
 
 
 @pytest.mark.parametrize(
-    "words",
+    "kwargs",
     [
         {},
         {"scalars": "height"},
@@ -363,12 +363,12 @@ def test_named_arrays_stay_connected():
         {"scalars": "height", "opacity": [0.1, 0.2, 0.3]},
     ],
 )
-def test_the_packing_is_not_changed(words):
+def test_the_packing_is_not_changed(kwargs):
     mesh = packing(height=[0.0, 1.0, 2.0], velocity=np.eye(3), kind=["a", "b", "a"])
     mesh.set_active_scalars("height")
     before, keys = mesh.copy(), mesh.point_data.keys()
     with plotter() as scene:
-        scene.packing.add(mesh, **words)
+        scene.packing.add(mesh, **kwargs)
         scene.screenshot(None)
     assert mesh.point_data.keys() == keys
     assert mesh == before
@@ -378,11 +378,11 @@ def test_the_packing_is_not_changed(words):
 def test_two_actors_colour_one_packing_differently():
     mesh = packing(1, low=[0.0], high=[1.0])
     with plotter() as scene:
-        words = {"cmap": ["red", "blue"], "clim": (0, 1), "lighting": False}
+        kwargs = {"cmap": ["red", "blue"], "clim": (0, 1), "lighting": False}
         move = np.eye(4)
         move[0, 3] = 3.0
-        scene.packing.add(mesh, scalars="low", show_scalar_bar=False, **words)
-        scene.packing.add(mesh, scalars="high", show_scalar_bar=False, user_matrix=move, **words)
+        scene.packing.add(mesh, scalars="low", show_scalar_bar=False, **kwargs)
+        scene.packing.add(mesh, scalars="high", show_scalar_bar=False, user_matrix=move, **kwargs)
         picture = scene.screenshot(None, return_img=True)
     assert close(picture[50, 50], RED)
     assert close(picture[50, 80], BLUE)

@@ -10,8 +10,8 @@ def stretched(*scales):
     return {"user_matrix": np.diag([*scales, 1.0])}
 
 
-def bar(**words):
-    return {"scalars": "height", "scalar_bar_args": words}
+def bar(**kwargs):
+    return {"scalars": "height", "scalar_bar_args": kwargs}
 
 
 SHEAR = np.eye(4)
@@ -164,8 +164,8 @@ def state(scene):
     )
 
 
-@pytest.mark.parametrize(("kind", "message", "words"), BAD, ids=[str(b[2]) for b in BAD])
-def test_one_error_and_the_plotter_as_it_was(capfd, kind, message, words):
+@pytest.mark.parametrize(("kind", "message", "kwargs"), BAD, ids=[str(b[2]) for b in BAD])
+def test_one_error_and_the_plotter_as_it_was(capfd, kind, message, kwargs):
     mesh = packing(height=[0, 1, 2], velocity=np.eye(3), kind=["a", "b", "a"])
     arrays = mesh.point_data.keys()
     with plotter() as scene:
@@ -173,7 +173,7 @@ def test_one_error_and_the_plotter_as_it_was(capfd, kind, message, words):
         scene.packing.add(mesh, scalars="height", name="first")
         before = state(scene)
         with pytest.raises(kind, match=message):
-            scene.packing.add(mesh, **{"name": "first"} | words)
+            scene.packing.add(mesh, **{"name": "first"} | kwargs)
         assert state(scene) == before
         assert scene.render_window.GetNeverRendered()
         assert scene.packing.add(mesh).prop.color == "lime"
@@ -248,7 +248,7 @@ def test_what_has_changed_since_the_last_picture_is_drawn_or_told(tmp_path, capf
 
 
 @pytest.mark.parametrize(
-    "words",
+    "kwargs",
     [
         {"window_size": (0, 10)},
         {"window_size": (-1, 5)},
@@ -258,11 +258,11 @@ def test_what_has_changed_since_the_last_picture_is_drawn_or_told(tmp_path, capf
         {"scale": 200},
     ],
 )
-def test_sizes_that_no_picture_has(tmp_path, words):
+def test_sizes_that_no_picture_has(tmp_path, kwargs):
     with plotter() as scene:
         scene.packing.add(packing())
         with pytest.raises(ValueError, match=r"(window_size|scale): found .*expected"):
-            scene.packing.screenshot(tmp_path / "a.png", **words)
+            scene.packing.screenshot(tmp_path / "a.png", **kwargs)
     assert not (tmp_path / "a.png").exists()
 
 

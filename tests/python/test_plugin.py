@@ -6,7 +6,7 @@ import sys
 
 import pytest
 import spherepacking
-from spherepacking._build_config import VTK_ROOT
+from spherepacking.backend.build_config import VTK_ROOT
 
 OTHER = {"cvista": "vtk", "vtkmodules": "cvista"}[VTK_ROOT]
 
@@ -84,7 +84,7 @@ else:
 
 def test_the_right_vtk_named_explicitly():
     wanted = "vtk" if VTK_ROOT == "vtkmodules" else VTK_ROOT
-    assert run("import spherepacking._backend", PYVISTA_VTK_BACKEND=wanted).returncode == 0
+    assert run("import spherepacking.backend", PYVISTA_VTK_BACKEND=wanted).returncode == 0
 
 
 def test_public_names():
@@ -103,13 +103,13 @@ DISPLAY = {
 }
 CHOOSE = """
 import os
-from spherepacking import _offscreen
+from spherepacking.draw import offscreen
 {change}
-_offscreen.choose_window()
+offscreen.choose_window()
 print(os.environ.get("VTK_DEFAULT_OPENGL_WINDOW"))
 """
-WITH = "_offscreen._osmesa_loads = lambda: True"
-WITHOUT = "_offscreen._osmesa_loads = lambda: False"
+WITH = "offscreen._osmesa_loads = lambda: True"
+WITHOUT = "offscreen._osmesa_loads = lambda: False"
 
 
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="only Linux has no display")

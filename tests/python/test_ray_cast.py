@@ -19,8 +19,8 @@ def spheres():
     return spherepacking.apollonian(3)
 
 
-def colors(accessor, **words):
-    return np.array(accessor.ray_cast(VIEW, SIZE, scalars="radius", **words)["color"])
+def colors(accessor, **kwargs):
+    return np.array(accessor.ray_cast(VIEW, SIZE, scalars="radius", **kwargs)["color"])
 
 
 def test_arrays(spheres):
@@ -57,16 +57,16 @@ def test_what_changes_is_seen(spheres):
     accessor = PackingAccessor(spheres)
     first = colors(accessor)
     assert (colors(accessor) == first).all()
-    for words in (
+    for kwargs in (
         {"cmap": "magma"},
         {"clim": (0.2, 0.3)},
         {"log_scale": True},
         {"cmap": ["red", "blue"]},
     ):
-        changed = colors(accessor, **words)
+        changed = colors(accessor, **kwargs)
         assert (changed != first).any()
         # As if nothing had been kept.
-        assert (changed == colors(PackingAccessor(spheres), **words)).all()
+        assert (changed == colors(PackingAccessor(spheres), **kwargs)).all()
         assert (colors(accessor) == first).all()
     table = pv.LookupTable("magma")
     table.scalar_range = (0.0, 1.0)
@@ -122,14 +122,18 @@ def test_an_empty_packing(spheres):
 
 
 @pytest.mark.parametrize(
-    ("words", "error", "found"),
+    ("kwargs", "error", "found"),
     [
         ({"structure": "tree"}, ValueError, "structure: found 'tree', expected one of none, grid"),
         ({"cuts": -1, "structure": "grid"}, ValueError, "cuts: found -1"),
         ({"cuts": 99999, "structure": "grid"}, ValueError, "cuts: found 99999, which makes more"),
         ({"window_size": (0, 5)}, ValueError, "window_size: found"),
         ({"window_size": 5}, (TypeError, ValueError), "window_size: found"),
-        ({"camera": [(0, 0, 0)] * 3}, ValueError, "camera: found one that stands where it looks"),
+        (
+            {"camera": [(0, 0, 0)] * 3},
+            ValueError,
+            "camera: found the position .* at the focal point",
+        ),
         ({"camera": "front"}, TypeError, "camera: found a str"),
         ({"samples": 0}, ValueError, "samples: found 0"),
         ({"samples": 17}, ValueError, "samples: found 17"),
@@ -142,11 +146,11 @@ def test_an_empty_packing(spheres):
         ({"random_colors": 1}, TypeError, "random_colors: found 1, expected True or False"),
     ],
 )
-def test_refusals(spheres, words, error, found):
-    words = {"camera": VIEW, "window_size": SIZE} | words
+def test_refusals(spheres, kwargs, error, found):
+    kwargs = {"camera": VIEW, "window_size": SIZE} | kwargs
     accessor = PackingAccessor(spheres)
     with pytest.raises(error, match=found.replace("(", r"\(")):
-        accessor.ray_cast(**words)
+        accessor.ray_cast(**kwargs)
     # And works after that.
     assert (accessor.ray_cast(VIEW, SIZE)["sphere_id"] >= 0).any()
 
@@ -230,16 +234,16 @@ SCALARS = {
 @pytest.mark.parametrize("name", SCALARS)
 def test_colours_are_those_of_the_plotter(spheres, name, by_value):
     values = SCALARS[name](np.arange(spheres.n_points))
-    words = {"rgb": name.endswith(("_rgb", "_rgba")), "scalars": values if by_value else name}
+    kwargs = {"rgb": name.endswith(("_rgb", "_rgba")), "scalars": values if by_value else name}
     spheres[name] = values
     # The light of a ray cast comes from the camera, and is 1 where the surface faces it.
-    image = PackingAccessor(spheres).ray_cast(VIEW, ONE, cmap=["blue", "lime", "red"], **words)
+    image = PackingAccessor(spheres).ray_cast(VIEW, ONE, cmap=["blue", "lime", "red"], **kwargs)
     towards = np.ones(3) / np.sqrt(3)
     facing = image["normal"] @ towards > 0.985
     plotter = pv.Plotter(off_screen=True, window_size=ONE, lighting="none")
     plotter.render_window.SetMultiSamples(0)
     plotter.packing.add(
-        spheres, cmap=["blue", "lime", "red"], lighting=False, show_scalar_bar=False, **words
+        spheres, cmap=["blue", "lime", "red"], lighting=False, show_scalar_bar=False, **kwargs
     )
     plotter.camera_position = VIEW
     drawn = plotter.screenshot(return_img=True)[::-1].reshape(-1, 3)

@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 import pyvista as pv
 import spherepacking
-from spherepacking._progress import progress_bar
-from spherepacking.readers import SpherePackingReader
+from spherepacking.files.readers import SpherePackingReader
+from spherepacking.vtk_tools import progress_bar
 
 TEXT = "0 0 0 1\n3.5 0 0.25 0.5\n"
 # Before, entry points named functions: pyvista.read used them, and nothing else of PyVista did.
@@ -59,7 +59,7 @@ def test_read_by_any_name(tmp_path):
 def test_precision(file):
     assert spherepacking.read(file).points.dtype == np.float64
     assert spherepacking.read(file, precision="single").points.dtype == np.float32
-    with pytest.raises(ValueError, match="precision is 'half', expected 'single' or 'double'"):
+    with pytest.raises(ValueError, match="precision: found 'half', expected 'single' or 'double'"):
         spherepacking.read(file, precision="half")
 
 
@@ -169,7 +169,7 @@ def test_missing_file(tmp_path, capfd, read):
 def test_directory(tmp_path, capfd, read):
     path = tmp_path / "folder.spheres"
     path.mkdir()
-    with pytest.raises(IsADirectoryError, match=r"folder\.spheres: is a directory"):
+    with pytest.raises(IsADirectoryError, match=r"folder\.spheres: found a directory"):
         read(path)
     assert capfd.readouterr() == ("", "")
 

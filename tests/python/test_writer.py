@@ -35,7 +35,7 @@ def test_unknown_extension(tmp_path):
 
 
 def test_what_is_no_packing(tmp_path):
-    with pytest.raises(TypeError, match="packing is a ndarray, expected a PolyData"):
+    with pytest.raises(TypeError, match="packing: found a ndarray, expected a PolyData"):
         spherepacking.write(np.eye(3), tmp_path / "a.spheres")
 
 
@@ -46,7 +46,7 @@ def test_missing_folder(tmp_path):
 
 def test_folder_instead_of_file(tmp_path):
     (tmp_path / "a.spheres").mkdir()
-    with pytest.raises(IsADirectoryError, match=r"a\.spheres: is a directory"):
+    with pytest.raises(IsADirectoryError, match=r"a\.spheres: found a directory"):
         spherepacking.write(packing(), tmp_path / "a.spheres")
 
 

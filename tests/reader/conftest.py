@@ -1,18 +1,12 @@
-"""Fixtures that read and write packings, and the real inputs."""
+"""Fixtures that read and write packings."""
 
 import importlib
-import os
-from pathlib import Path
 
 import pytest
 import pyvista as pv
 from spherepacking.vtkSpherePackingCore import (
     vtkSpherePackingReader,
     vtkSpherePackingWriter,
-)
-
-DATA = Path(
-    os.environ.get("SPHEREPACKING_DATA", Path(__file__).parents[2].parent / "shared" / "data")
 )
 
 
@@ -109,16 +103,3 @@ def write():
         return good, message
 
     return write_file
-
-
-@pytest.fixture(scope="session")
-def real_input():
-    """A real input by name, or a skip."""
-
-    def find(name):
-        path = DATA / name
-        if not path.exists():
-            pytest.skip(f"{name} is not in {DATA}")
-        return path
-
-    return find

@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 import pyvista as pv
-from spherepacking.bench import accuracy, reference
+from spherepacking.testing import accuracy, reference
 
 
 @dataclass
@@ -45,7 +45,7 @@ def make_packing(centers, radii):
 
 
 @contextmanager
-def show(packing, camera, size=(400, 400), *, samples=None, **words):
+def show(packing, camera, size=(400, 400), *, samples=None, **kwargs):
     """Show a packing unlit on black, by default in colours that tell the spheres' numbers.
 
     With PyVista's default of several samples a pixel, surfaces are found first and lit later; with
@@ -55,10 +55,10 @@ def show(packing, camera, size=(400, 400), *, samples=None, **words):
     if samples is not None:
         plotter.render_window.SetMultiSamples(samples)
     plotter.set_background("black")
-    words.setdefault("lighting", False)
-    if "color" not in words and "scalars" not in words:
-        words |= {"scalars": accuracy.id_colors(packing.n_points), "rgb": True}
-    actor = plotter.packing.add(packing, show_scalar_bar=False, **words)
+    kwargs.setdefault("lighting", False)
+    if "color" not in kwargs and "scalars" not in kwargs:
+        kwargs |= {"scalars": accuracy.id_colors(packing.n_points), "rgb": True}
+    actor = plotter.packing.add(packing, show_scalar_bar=False, **kwargs)
     camera.apply(plotter)
     plotter.show(auto_close=False, interactive=False)
     camera.apply(plotter)
@@ -69,9 +69,9 @@ def show(packing, camera, size=(400, 400), *, samples=None, **words):
         plotter.close()
 
 
-def draw_and_cast(centers, radii, camera, size=(400, 400), **words):
+def draw_and_cast(centers, radii, camera, size=(400, 400), **kwargs):
     """Draw a packing, cast the same view in float64 and return both pictures."""
-    with show(make_packing(centers, radii), camera, size, **words) as (plotter, _):
+    with show(make_packing(centers, radii), camera, size, **kwargs) as (plotter, _):
         drawn = accuracy.read(plotter)
         to_device = reference.projection(plotter.renderer)
     return drawn, reference.cast(centers, radii, to_device, size)

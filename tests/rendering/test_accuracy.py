@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 import spherepacking
 from scenes import Camera, draw_and_cast
-from spherepacking.bench import accuracy
-from spherepacking.bench.scenes import knot_tube
+from spherepacking.testing import accuracy
+from spherepacking.testing.scenes import knot_tube
 
 
 def check(centers, radii, camera, size=(400, 400), sphere_wrong=1e-4):
@@ -118,12 +118,12 @@ def test_coincident_and_nested_spheres(rng):
 
 @pytest.mark.parametrize("dtype", [np.float32, np.float64])
 def test_real_packing(data_file, dtype):
-    packing = spherepacking.read(data_file("deme_TeddyBear.csv"))
+    packing = spherepacking.read(data_file("clump.csv"))
     check(packing.points.astype(dtype).astype(float), packing["radius"], Camera((3, 2, 1)))
 
 
 def test_real_packing_of_equal_spheres(data_file):
-    packing = spherepacking.read(data_file("packgen_packing.xyzd"))
+    packing = spherepacking.read(data_file("equal.xyzd"))
     middle = tuple(packing.points.mean(axis=0))
     check(packing.points, packing["radius"], Camera((40, 35, 30), middle), (600, 600))
 
@@ -131,10 +131,10 @@ def test_real_packing_of_equal_spheres(data_file):
 def test_solar_system(data_file):
     import json
 
-    bodies = json.loads(data_file("starscape_solar-system.json").read_text())["bodies"]
+    bodies = json.loads(data_file("planets.json").read_text())["bodies"]
     centers = np.array([body["position"] for body in bodies])
     radii = np.array([body["radius"] for body in bodies])
-    # From near the smallest body, across 2.5 million of its radii.
+    # From near the smallest body, across millions of its radii.
     target = int(np.argmin(radii))
     away = centers[target] + radii[target] * np.array([3.0, 1.0, 0.5])
     camera = Camera(tuple(away), tuple(centers[target]), clipping_range=(radii[target], 1e10))

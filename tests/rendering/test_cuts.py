@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import pyvista as pv
 from scenes import Camera, draw_and_cast, make_packing, show
-from spherepacking.bench import accuracy, reference
+from spherepacking.testing import accuracy, reference
 
 
 @pytest.mark.parametrize("samples", [None, 0])

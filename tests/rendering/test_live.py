@@ -8,11 +8,12 @@ import numpy as np
 import pytest
 import pyvista as pv
 import spherepacking
-from spherepacking._backend import vtkSpherePackingPicturePass
 from spherepacking.accessor import PackingAccessor
+from spherepacking.backend import vtkSpherePackingPicturePass
+from spherepacking.trace.path_trace import PathTracer
 
 SIZE = (160, 120)
-WORDS = {"samples": 4, "sky": (0.3, 0.9), "sun": (1, 0, 1)}
+OPTIONS = {"samples": 4, "sky": (0.3, 0.9), "sun": (1, 0, 1)}
 
 
 @pytest.fixture
@@ -42,22 +43,22 @@ def drawn(plotter):
     return np.array(pv.wrap(reader.GetOutput())["ImageScalars"], int)
 
 
-def traced(spheres, plotter, **words):
+def traced(spheres, plotter, **kwargs):
     image = PackingAccessor(spheres).path_trace(
-        plotter.camera, SIZE, sky_visible=False, **(WORDS | words)
+        plotter.camera, SIZE, sky_visible=False, **(OPTIONS | kwargs)
     )
     return np.array(image["color"], int), np.array(image["depth"])
 
 
-def assert_shown(found, spheres, plotter, **words):
+def assert_shown(found, spheres, plotter, **kwargs):
     """Assert that pixels are those of a picture traced of the plotter's view, on black."""
-    color, _ = traced(spheres, plotter, **words)
+    color, _ = traced(spheres, plotter, **kwargs)
     assert np.abs(found - color[:, 3:] / 255 * color[:, :3]).max() <= 1
 
 
 @pytest.mark.parametrize("parallel", [False, True])
 def test_the_window_shows_the_picture(scene, spheres, parallel):
-    live = scene.packing.path_trace(spheres, reset_camera=False, **WORDS)
+    live = scene.packing.path_trace(spheres, reset_camera=False, **OPTIONS)
     if parallel:
         scene.enable_parallel_projection()
         scene.camera.parallel_scale = 1.2
@@ -78,7 +79,7 @@ def test_the_window_shows_the_picture(scene, spheres, parallel):
 @pytest.mark.parametrize("parallel", [False, True])
 def test_other_actors_are_before_and_behind(scene, spheres, parallel):
     """A disc through the middle, square to the view, is hidden where spheres are before it."""
-    live = scene.packing.path_trace(spheres, reset_camera=False, **WORDS)
+    live = scene.packing.path_trace(spheres, reset_camera=False, **OPTIONS)
     disc = pv.Disc(inner=0.0, outer=5.0, normal=(1, 1, 1), c_res=60)
     scene.add_mesh(disc, color=(0, 0, 255), lighting=False, reset_camera=False)
     if parallel:
@@ -97,7 +98,7 @@ def test_other_actors_are_before_and_behind(scene, spheres, parallel):
 
 
 def test_what_is_transparent_comes_after(scene, spheres):
-    scene.packing.path_trace(spheres, reset_camera=False, **WORDS)
+    scene.packing.path_trace(spheres, reset_camera=False, **OPTIONS)
     plane = pv.Plane(center=(1.5, 1.5, 1.5), direction=(1, 1, 1), i_size=9, j_size=9)
     scene.add_mesh(plane, color=(0, 0, 255), opacity=0.5, lighting=False, reset_camera=False)
     found = drawn(scene)
@@ -106,8 +107,38 @@ def test_what_is_transparent_comes_after(scene, spheres):
     assert np.abs(found - expected).max() <= 2
 
 
+def test_the_hierarchy_is_built_once(scene, spheres, monkeypatch):
+    """The tracer that checks the arguments makes the pictures, too, on what it has built."""
+    tracers, sizes, seconds = set(), [], set()
+    trace = PathTracer.trace
+
+    def recorded(self, *args):
+        image = trace(self, *args)
+        tracers.add(self)
+        sizes.append(image.dimensions[:2])
+        seconds.add(float(image.field_data["build_seconds"][0]))
+        return image
+
+    monkeypatch.setattr(PathTracer, "trace", recorded)
+    scene.packing.path_trace(
+        spheres, scalars="level", show_scalar_bar=False, reset_camera=False, **OPTIONS
+    )
+    drawn(scene)
+    scene.camera.azimuth += 30
+    drawn(scene)
+    assert sizes == [(1, 1), SIZE, SIZE]
+    assert len(tracers) == 1
+    assert len(seconds) == 1, "the time of one build, to the last digit"
+    assert seconds.pop() > 0
+    # The counter would notice another build.
+    spheres["radius"] *= 0.5
+    drawn(scene)
+    assert len(seconds) == 1
+    tracers.clear()
+
+
 def test_changed_radii_are_seen(scene, spheres):
-    scene.packing.path_trace(spheres, reset_camera=False, **WORDS)
+    scene.packing.path_trace(spheres, reset_camera=False, **OPTIONS)
     first = drawn(scene)
     spheres["radius"][:] *= 0.5
     found = drawn(scene)
@@ -124,7 +155,7 @@ def test_changed_radii_are_seen(scene, spheres):
     ],
 )
 def test_whatever_the_camera_does_is_seen(scene, spheres, change):
-    scene.packing.path_trace(spheres, reset_camera=False, **WORDS)
+    scene.packing.path_trace(spheres, reset_camera=False, **OPTIONS)
     first = drawn(scene)
     change(scene)
     found = drawn(scene)
@@ -143,8 +174,8 @@ def test_whatever_the_camera_does_is_seen(scene, spheres, change):
 )
 def test_changed_arrays_are_seen(scene, spheres, change):
     spheres["height"] = np.array(spheres.points[:, 2])
-    words = WORDS | {"scalars": "height", "clim": (-1, 1)}
-    scene.packing.path_trace(spheres, reset_camera=False, show_scalar_bar=False, **words)
+    kwargs = OPTIONS | {"scalars": "height", "clim": (-1, 1)}
+    scene.packing.path_trace(spheres, reset_camera=False, show_scalar_bar=False, **kwargs)
     first = drawn(scene)
     change(spheres)
     found = drawn(scene)
@@ -154,12 +185,12 @@ def test_changed_arrays_are_seen(scene, spheres, change):
 
 def test_larger_screenshots(scene, spheres):
     """VTK makes them of parts."""
-    scene.packing.path_trace(spheres, reset_camera=False, **WORDS)
+    scene.packing.path_trace(spheres, reset_camera=False, **OPTIONS)
     drawn(scene)
     found = scene.screenshot(return_img=True, scale=2)
     assert found.shape == (240, 320, 3)
     image = PackingAccessor(spheres).path_trace(
-        scene.camera, (320, 240), sky_visible=False, **(WORDS | {"samples": 64})
+        scene.camera, (320, 240), sky_visible=False, **(OPTIONS | {"samples": 64})
     )
     color = np.array(image["color"], int).reshape(240, 320, 4)[::-1]
     expected = color[..., 3:] / 255 * color[..., :3]
@@ -167,7 +198,7 @@ def test_larger_screenshots(scene, spheres):
 
 
 def test_actors_that_go_take_their_picture_along(scene, spheres):
-    live = scene.packing.path_trace(spheres, reset_camera=False, **WORDS)
+    live = scene.packing.path_trace(spheres, reset_camera=False, **OPTIONS)
     first = drawn(scene)
     live.actor.visibility = False
     assert (drawn(scene) == 0).all()
@@ -181,7 +212,7 @@ def test_actors_that_go_take_their_picture_along(scene, spheres):
     assert (drawn(scene) == first).all()
     scene.remove_actor(live.actor)
     assert (drawn(scene) == 0).all()
-    again = scene.packing.path_trace(spheres, reset_camera=False, **WORDS)
+    again = scene.packing.path_trace(spheres, reset_camera=False, **OPTIONS)
     assert (drawn(scene) == first).all()
     scene.clear()
     assert (drawn(scene) == 0).all()
@@ -189,7 +220,7 @@ def test_actors_that_go_take_their_picture_along(scene, spheres):
 
 
 def test_other_passes_come_and_go(scene, spheres):
-    live = scene.packing.path_trace(spheres, reset_camera=False, **WORDS)
+    live = scene.packing.path_trace(spheres, reset_camera=False, **OPTIONS)
     first = drawn(scene)
     scene.enable_eye_dome_lighting()
     drawn(scene)
@@ -202,7 +233,7 @@ def test_other_passes_come_and_go(scene, spheres):
 
 def test_a_noise_target_finishes(scene, spheres):
     live = scene.packing.path_trace(
-        spheres, reset_camera=False, **(WORDS | {"samples": 256, "noise_target": 0.3})
+        spheres, reset_camera=False, **(OPTIONS | {"samples": 256, "noise_target": 0.3})
     )
     drawn(scene)
     assert live.finished
@@ -238,7 +269,7 @@ finally:
 
 def test_errors_while_tracing_are_told(scene, spheres, tmp_path):
     live = scene.packing.path_trace(
-        spheres, scalars="level", reset_camera=False, show_scalar_bar=False, **WORDS
+        spheres, scalars="level", reset_camera=False, show_scalar_bar=False, **OPTIONS
     )
     drawn(scene)
     del spheres.point_data["level"]
@@ -249,7 +280,7 @@ def test_errors_while_tracing_are_told(scene, spheres, tmp_path):
 
 
 def test_in_a_window_it_refines_while_the_camera_rests(scene, spheres):
-    live = scene.packing.path_trace(spheres, reset_camera=False, step=0.01, **WORDS)
+    live = scene.packing.path_trace(spheres, reset_camera=False, step=0.01, **OPTIONS)
     # As if there were someone to look at it, and a timer.
     scene.off_screen = False
     mapper = live.actor.mapper
@@ -280,7 +311,7 @@ def test_in_a_window_it_refines_while_the_camera_rests(scene, spheres):
 
 
 def test_closing_leaves_the_spheres_to_the_mapper(scene, spheres):
-    live = scene.packing.path_trace(spheres, reset_camera=False, **WORDS)
+    live = scene.packing.path_trace(spheres, reset_camera=False, **OPTIONS)
     first = drawn(scene)
     live.close()
     live.close()
@@ -292,23 +323,23 @@ def test_closing_leaves_the_spheres_to_the_mapper(scene, spheres):
     assert (first != second).any()
     assert (second > 0).any()
     # And there may be another one.
-    again = scene.packing.path_trace(spheres, name="again", reset_camera=False, **WORDS)
+    again = scene.packing.path_trace(spheres, name="again", reset_camera=False, **OPTIONS)
     assert again is not live
     scene.remove_actor(live.actor)
     assert np.abs(drawn(scene) - first).max() <= 1
 
 
 def test_refusals_change_nothing(scene, spheres):
-    scene.packing.path_trace(spheres, reset_camera=False, **WORDS)
-    for words, error, found in (
+    scene.packing.path_trace(spheres, reset_camera=False, **OPTIONS)
+    for kwargs, error, found in (
         ({}, ValueError, "render pass: found one"),
         ({"samples": 0}, ValueError, "render pass"),
     ):
         with pytest.raises(error, match=found):
-            scene.packing.path_trace(spheres, **words)
+            scene.packing.path_trace(spheres, **kwargs)
     other = pv.Plotter(off_screen=True, window_size=SIZE)
     try:
-        for words, error, found in (
+        for kwargs, error, found in (
             ({"samples": 0}, ValueError, "samples: found 0"),
             ({"step": 0}, ValueError, "step: found 0"),
             ({"sky": -1}, ValueError, "sky: found -1"),
@@ -318,7 +349,7 @@ def test_refusals_change_nothing(scene, spheres):
             ({"nonsense": 1}, TypeError, "nonsense"),
         ):
             with pytest.raises(error, match=found):
-                other.packing.path_trace(spheres, **words)
+                other.packing.path_trace(spheres, **kwargs)
         assert not other.renderer.actors
         assert other.renderer.GetPass() is None
     finally:
@@ -326,10 +357,10 @@ def test_refusals_change_nothing(scene, spheres):
 
 
 def test_a_pass_without_a_picture_draws_nothing(scene):
-    from spherepacking._live import _steps_with
+    from spherepacking.trace.live import steps_with
 
     picture = vtkSpherePackingPicturePass()
-    scene.renderer.SetPass(_steps_with(picture))
+    scene.renderer.SetPass(steps_with(picture))
     assert (drawn(scene) == 0).all()
     picture.SetPicture(pv.ImageData(dimensions=(4, 4, 1)))
     assert (drawn(scene) == 0).all()

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 import pyvista as pv
 from scenes import Camera, draw_and_cast, make_packing, show
-from spherepacking._backend import VTK_ROOT, vtkOpenGLSpherePackingMapper
-from spherepacking.bench import accuracy
+from spherepacking.backend import VTK_ROOT, vtkOpenGLSpherePackingMapper
+from spherepacking.testing import accuracy
 
 ROW = np.array([[-2.5, 0.0, 0.0], [0.0, 0.0, 0.0], [2.5, 0.0, 0.0]])
 FRONT = Camera((0, 0, 20), up=(0, 1, 0), parallel_scale=4.0)
@@ -253,7 +253,7 @@ def normals(picture_size):
     return np.stack([xx, yy, np.sqrt(np.maximum(z2, 0))], axis=-1), z2 > 0
 
 
-def lit(lights, samples=0, **words):
+def lit(lights, samples=0, **kwargs):
     """Draw a white unit sphere under lights in a parallel view 2.5 wide, rows from the bottom."""
     plotter = pv.Plotter(off_screen=True, window_size=(200, 200), lighting="none")
     plotter.render_window.SetMultiSamples(samples)
@@ -261,8 +261,8 @@ def lit(lights, samples=0, **words):
     for light in lights:
         plotter.add_light(light)
     packing = make_packing([[0.0, 0.0, 0.0]], [1.0])
-    words = {"ambient": 0.0, "diffuse": 1.0} | words
-    plotter.packing.add(packing, color="white", show_scalar_bar=False, **words)
+    kwargs = {"ambient": 0.0, "diffuse": 1.0} | kwargs
+    plotter.packing.add(packing, color="white", show_scalar_bar=False, **kwargs)
     plotter.camera_position = [(0, 0, 10), (0, 0, 0), (0, 1, 0)]
     plotter.enable_parallel_projection()
     plotter.camera.parallel_scale = 1.25
@@ -321,10 +321,10 @@ def test_specular_highlight_is_where_the_light_reflects():
 # --- opacity --------------------------------------------------------------------------------------
 
 
-def blended(opacity, **words):
+def blended(opacity, **kwargs):
     packing = make_packing([[0.0, 0.0, 1.0], [0.0, 0.0, -1.0]], [0.5, 0.8])
     colors = np.array([[255, 0, 0], [0, 0, 255]], dtype=np.uint8)
-    with show(packing, FRONT, (200, 200), scalars=colors, rgb=True, opacity=opacity, **words) as (
+    with show(packing, FRONT, (200, 200), scalars=colors, rgb=True, opacity=opacity, **kwargs) as (
         plotter,
         actor,
     ):

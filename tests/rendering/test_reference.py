@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from scenes import Camera, make_packing, show
-from spherepacking.bench import reference
+from spherepacking.testing import reference
 
 
 def brute_force(centers, radii, rays):

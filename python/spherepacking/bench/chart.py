@@ -37,7 +37,7 @@ def _looks(rows: Sequence[Row]) -> dict[str, tuple[str, str]]:
 
 
 def _wrong(row: Row) -> float:
-    """Share of wrong pixels; none are drawn as half a pixel, since a logarithm needs something."""
+    """Fraction of wrong pixels; none are drawn as half a pixel, since 0 has no logarithm."""
     return max(row.wrong_pixels, 0.5) / max(row.hit_pixels, 1)
 
 
@@ -46,42 +46,42 @@ _CHARTS: tuple[tuple[str, str, str, Callable[[Row], float], Callable[[Row], floa
     (
         "Time by number of spheres",
         "spheres",
-        "seconds a frame",
+        "seconds per frame",
         lambda row: row.spheres,
         lambda row: row.seconds,
     ),
     (
         "Silhouette and sphere: error by time",
-        "seconds a frame",
-        "share of wrong pixels (none: at half a pixel)",
+        "seconds per frame",
+        "fraction of wrong pixels (none: at half a pixel)",
         lambda row: row.seconds,
         _wrong,
     ),
     (
         "Depth: error by time",
-        "seconds a frame",
+        "seconds per frame",
         "median of the relative error",
         lambda row: row.seconds,
         lambda row: row.depth_median,
     ),
     (
         "Smoothness: error by time",
-        "seconds a frame",
-        "RMS colour difference from 256 rays a pixel",
+        "seconds per frame",
+        "RMS colour difference from 256 rays per pixel",
         lambda row: row.seconds,
         lambda row: row.color_error,
     ),
     (
         "Light: error by time",
-        "seconds a frame",
-        "relative MSE against 4096 paths a pixel",
+        "seconds per frame",
+        "relative MSE against 4096 paths per pixel",
         lambda row: row.seconds,
         lambda row: row.relative_mse,
     ),
     (
         "Light: visible error by time",
-        "seconds a frame",
-        "mean FLIP error against 4096 paths a pixel",
+        "seconds per frame",
+        "mean FLIP error against 4096 paths per pixel",
         lambda row: row.seconds,
         lambda row: row.flip,
     ),
@@ -103,19 +103,19 @@ def write_chart(rows: Sequence[Row], path: Path) -> None:
     OSError
         If the picture cannot be written.
     """
-    from ..image import write_image
+    from ..files.image import write_image
 
     looks = _looks(rows)
-    plotter = pv.Plotter(off_screen=True, shape=(2, 3), window_size=SIZE, border=False)
+    plotter = pv.Plotter(off_screen=True, shape=(2, 3), window_size=list(SIZE), border=False)
     try:
-        for i, words in enumerate(_CHARTS):
+        for i, description in enumerate(_CHARTS):
             plotter.subplot(i // 3, i % 3)
-            plotter.set_background("white")
-            plotter.add_chart(_chart(rows, looks, *words, legend=i == 0))
+            plotter.background_color = pv.Color("white")
+            plotter.add_chart(_chart(rows, looks, *description, legend=i == 0))
         pixels = plotter.screenshot(None, return_img=True, transparent_background=False)
     finally:
         plotter.close()
-    write_image(path, pixels)
+    write_image(path, np.asarray(pixels))
 
 
 def _chart(
@@ -130,16 +130,17 @@ def _chart(
 ) -> pv.Chart2D:
     chart = pv.Chart2D(x_label=x_label, y_label=y_label)
     chart.title = title
-    everything = []
+    drawn = []
     for label, (color, marker) in looks.items():
-        points = [(x_of(row), y_of(row)) for row in rows if row.label == label]
-        points = np.array([p for p in points if all(math.isfinite(v) and v > 0.0 for v in p)])
+        pairs = [(x_of(row), y_of(row)) for row in rows if row.label == label]
+        points = np.array([p for p in pairs if all(math.isfinite(v) and v > 0.0 for v in p)])
         if not len(points):
             continue
-        everything.append(points)
-        chart.line(*points.T, color=color, width=1.5)
-        chart.scatter(*points.T, color=color, size=12.0, style=marker, label=label)
-    for axis, values in zip((chart.x_axis, chart.y_axis), _columns(everything), strict=True):
+        drawn.append(points)
+        x, y = points.T
+        chart.line(x, y, color=color, width=1.5)
+        chart.scatter(x, y, color=color, size=12.0, style=marker, label=label)
+    for axis, values in zip((chart.x_axis, chart.y_axis), _columns(drawn), strict=True):
         axis.log_scale = True
         axis.range = values.min() / 1.5, values.max() * 1.5
         axis.label_size, axis.tick_label_size = 20, 16
@@ -147,12 +148,12 @@ def _chart(
     chart.legend_visible = legend
     if legend:
         chart.GetLegend().SetLabelSize(18)
-        # Room for it beside the lines.
+        # The legend is beside the lines.
         low, high = chart.x_axis.range
         chart.x_axis.range = low, high * (high / low) ** 0.6
     return chart
 
 
 def _columns(points: list[np.ndarray]) -> np.ndarray:
-    """All x in the first and all y in the second row; something where there are no points."""
+    """All x in the first and all y in the second row; a stand-in where there are no points."""
     return np.concatenate(points).T if points else np.ones((2, 1))

@@ -7,34 +7,34 @@ from typing import TYPE_CHECKING
 
 from rich.console import Console
 
-from .._replace import check_replaceable, replace_file
-from ..image import check_output
+from ..files.image import check_output
+from ..files.replace import check_replaceable, replace_file
 from . import fields
+from .catalog import everything
 from .chart import write_chart
 from .measure import measure
 from .table import csv_of, table_of
-from .techniques import everything
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
     from pathlib import Path
 
     from .measure import Row
-    from .techniques import Technique
+    from .technique import Technique
 
 
 def chosen(only: Sequence[str] | None) -> tuple[list[Technique], list[str]]:
-    """Return the techniques, and the labels of metaballs, that have one of the words in their name.
+    """Return the techniques, and the labels of metaballs, whose label has one of the words.
 
     Raises
     ------
     ValueError
-        If a word is in no name.
+        If a word is part of no label.
     """
-    there = everything()
+    techniques = everything()
     if not only:
-        return there, list(fields.LABELS)
-    labels = [*(technique.label for technique in there), *fields.LABELS]
+        return techniques, list(fields.LABELS)
+    labels = [*(technique.label for technique in techniques), *fields.LABELS]
     for word in only:
         if not any(word.lower() in label.lower() for label in labels):
             raise ValueError(f"--only: found {word!r}, expected a part of: {'; '.join(labels)}")
@@ -42,7 +42,9 @@ def chosen(only: Sequence[str] | None) -> tuple[list[Technique], list[str]]:
     def named(label: str) -> bool:
         return any(word.lower() in label.lower() for word in only)
 
-    return [t for t in there if named(t.label)], [label for label in fields.LABELS if named(label)]
+    return [t for t in techniques if named(t.label)], [
+        label for label in fields.LABELS if named(label)
+    ]
 
 
 def _check(counts: Sequence[int], size: tuple[int, int], turns: int, limit: float) -> None:
@@ -79,7 +81,7 @@ def run(
     KeyboardInterrupt
         If Ctrl-C was pressed; what was done by then is printed and written.
     OSError, ValueError
-        If an argument is none or a file cannot be written.
+        If an argument is invalid or a file cannot be written.
     """
     _check(counts, size, turns, limit)
     check_output(png)
@@ -99,7 +101,7 @@ def run(
             seen = counts if techniques else []
             for more in measure(techniques, seen, size, turns, limit, status.update):
                 rows += more
-                # Kept, whatever comes after.
+                # Written at once, whatever comes after.
                 replace_file(csv, csv_of(rows))
         except KeyboardInterrupt as error:
             stopped = error

@@ -5,12 +5,13 @@ from __future__ import annotations
 import ctypes
 import os
 import time
+from functools import partial
 from pathlib import Path
 
 import numpy as np
 import pyvista as pv
 
-from .techniques import Seen, Technique
+from .technique import Seen, Technique
 
 _RGBA = 4  # as VTK counts them
 PACKETS = (1, 4, 8, 16)
@@ -18,7 +19,7 @@ PACKETS = (1, 4, 8, 16)
 
 
 def _load() -> ctypes.CDLL:
-    path = Path(__file__).parents[1] / "libspherepacking_embree.so"
+    path = Path(__file__).parents[1] / "lib" / "libspherepacking_embree.so"
     try:
         library = ctypes.CDLL(str(path))
     except OSError as error:
@@ -126,7 +127,7 @@ def techniques() -> list[Technique]:
             "Embree",
             "single" if packet == 1 else f"packets of {packet}",
             1,
-            lambda *view, packet=packet: Embree(*view, packet),
+            partial(Embree, packet=packet),
         )
         for packet in PACKETS
     ]

@@ -7,6 +7,7 @@ import dataclasses
 import io
 import statistics
 import time
+from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -14,13 +15,12 @@ from rich import box
 from rich.table import Table
 
 from ..accessor import PackingAccessor
-from .scenes import knot_tube
+from ..testing.fields import POINTS, distances, field_error
+from ..testing.scenes import knot_tube
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Sequence
 
-    import pyvista as pv
-    from numpy.typing import NDArray
 
 TOLERANCES = (1e-1, 1e-2, 1e-3, 1e-4, 2e-5, 0.0)
 """Relative errors that are asked for; 0 sums sphere by sphere."""
@@ -30,7 +30,6 @@ GRIDS = (16, 32, 64, 128, 256)
 """Points along each axis of the surfaces."""
 THRESHOLD = 10.0
 _SPHERES = 2000  # of the surfaces
-_PLACES = 300  # at which errors are measured
 _PAIRS = 3e9  # of spheres and points a second, about
 LABELS = ("metaballs, field", "metaballs, surface")
 
@@ -55,61 +54,7 @@ class FieldRow:
     """The largest distance that was found."""
 
 
-def exact_sums(
-    packing: pv.PolyData, points: NDArray[np.float64], power: int
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Sum the inverse kernels in float64, sphere by sphere.
-
-    Parameters
-    ----------
-    packing : pyvista.PolyData
-        Centres (n, 3) and point array ``radius`` (n,).
-    points : numpy.ndarray
-        Where (m, 3), not at a centre.
-    power : {1, 2}
-        Of the distance.
-
-    Returns
-    -------
-    tuple of numpy.ndarray
-        Values (m,) and gradients (m, 3).
-    """
-    centers = np.asarray(packing.points, float)
-    radii = np.asarray(packing["radius"], float)
-    values, gradients = np.empty(len(points)), np.empty((len(points), 3))
-    for i, point in enumerate(points):
-        away = point - centers
-        square = (away**2).sum(axis=1)
-        each = (radii / np.sqrt(square)) ** power
-        values[i] = each.sum()
-        gradients[i] = -power * (each / square) @ away
-    return values, gradients
-
-
-def points_of(image: pv.ImageData, chosen: NDArray[np.int64]) -> NDArray[np.float64]:
-    """Points (n, 3) of a grid in float64, which ``image.points`` is not."""
-    steps = np.array(np.unravel_index(chosen, image.dimensions, order="F")).T
-    return np.array(image.origin) + steps * np.array(image.spacing)
-
-
-def field_error(packing: pv.PolyData, image: pv.ImageData, places: int = _PLACES) -> float:
-    """Largest relative error of an inverse field at random points of its grid."""
-    chosen = np.random.default_rng(0).integers(0, image.n_points, places)
-    exact, _ = exact_sums(packing, points_of(image, chosen), 1)
-    return float(np.abs(image["field"][chosen] / exact - 1.0).max())
-
-
-def distances(packing: pv.PolyData, surface: pv.PolyData, threshold: float) -> NDArray[np.float64]:
-    """Distances of random points of triangles from the true surface, to first order (places,)."""
-    rng = np.random.default_rng(0)
-    corners = surface.points[surface.regular_faces[rng.integers(0, surface.n_cells, _PLACES)]]
-    share = rng.dirichlet((1.0, 1.0, 1.0), _PLACES)
-    points = np.einsum("nc,ncx->nx", share, np.asarray(corners, float))
-    value, gradient = exact_sums(packing, points, 2)
-    return np.abs(value - threshold) / np.linalg.norm(gradient, axis=1)
-
-
-def _timed(work: Callable[[], object], turns: int) -> tuple[float, object]:
+def _timed[Made](work: Callable[[], Made], turns: int) -> tuple[float, Made]:
     """Median time of some turns after one that does not count, and what the last one made."""
     seconds = []
     for _ in range(turns + 1):
@@ -141,7 +86,7 @@ def measure(
     limit : float
         Seconds that a sum sphere by sphere may be expected to take, else it is left out.
     tick : callable
-        Is told what is done.
+        Called with what is being measured.
 
     Yields
     ------
@@ -155,25 +100,22 @@ def measure(
             if tolerance == 0.0 and count * GRID**3 / _PAIRS > limit:
                 continue
             tick(f"{count} spheres: field to {tolerance:g}")
-            seconds, image = _timed(
-                lambda s=spheres, e=tolerance: s.metaball_field(GRID, relative_error=e), turns
-            )
+            work = partial(spheres.metaball_field, GRID, relative_error=tolerance)
+            seconds, image = _timed(work, turns)
             error = field_error(packing, image)
             yield FieldRow("field", count, GRID, tolerance, seconds, field_error=error)
     if LABELS[1] not in labels:
         return
     packing = knot_tube(_SPHERES)
-    words = {"kernel": "inverse_square", "coloring": None}
+    spheres = PackingAccessor(packing)
+    contour = partial(spheres.metaballs, THRESHOLD, kernel="inverse_square", coloring=None)
     for grid in GRIDS:
         tick(f"surface on a grid of {grid}")
-        seconds, surface = _timed(
-            lambda g=grid: PackingAccessor(packing).metaballs(THRESHOLD, dimensions=g, **words),
-            turns,
-        )
+        seconds, surface = _timed(partial(contour, dimensions=grid), turns)
         spacing = max(
-            PackingAccessor(packing)
-            .metaball_field(grid, kernel="inverse_square", threshold=THRESHOLD, relative_error=0.1)
-            .spacing
+            spheres.metaball_field(
+                grid, kernel="inverse_square", threshold=THRESHOLD, relative_error=0.1
+            ).spacing
         )
         away = distances(packing, surface, THRESHOLD) / spacing
         yield FieldRow(
@@ -192,7 +134,7 @@ def table_of(rows: Sequence[FieldRow]) -> Table:
     table = Table(
         title="Metaballs: fields of r / d, and surfaces of (r / d)² at 10",
         caption="asked: relative error of the field; found: the largest at "
-        f"{_PLACES} random points, against float64; distance: of random points of the surface from "
+        f"{POINTS} random points, against float64; distance: of random points of the surface from "
         "the true one, in spacings of the grid, root mean square and largest",
         box=box.SIMPLE,
     )

@@ -7,14 +7,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..accessor import PackingAccessor
-from .techniques import LIGHT
+from .rays import LIGHT
 
 if TYPE_CHECKING:
     import pyvista as pv
     from numpy.typing import NDArray
 
 SAMPLES = 4096
-"""A pixel, of the picture that others are compared with."""
+"""Samples per pixel of the picture that others are compared with."""
 SHRINK = 4
 """By what width and height are divided where light is compared, since that picture takes long."""
 _DARKEST = 0.01

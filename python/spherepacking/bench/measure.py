@@ -5,14 +5,15 @@ from __future__ import annotations
 import statistics
 import time
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypedDict
 
 import numpy as np
 
 from ..accessor import PackingAccessor
-from . import light, reference
-from .scenes import camera_of_all, depths_of, knot_tube
-from .techniques import label_of
+from ..testing import reference
+from ..testing.scenes import camera_of_all, depths_of, knot_tube
+from . import light
+from .technique import label_of
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Sequence
@@ -20,7 +21,7 @@ if TYPE_CHECKING:
     import pyvista as pv
     from numpy.typing import NDArray
 
-    from .techniques import Seen, Subject, Technique
+    from .technique import Seen, Subject, Technique
 
 ONCE = 100_000
 """Spheres with which techniques are measured that take long, if there are so many."""
@@ -35,7 +36,7 @@ class Row:
     technique: str
     structure: str
     rays: int
-    """A pixel."""
+    """Rays or samples per pixel."""
     spheres: int
     seconds: float
     """A frame, the median."""
@@ -54,10 +55,10 @@ class Row:
     depth_most: float
     """The largest of them."""
     color_error: float
-    """Root mean square of the colour's difference from 256 rays a pixel, as a share of white, over
-    the pixels that either hits; NaN where colours mean something else."""
+    """Root mean square of the colour's difference from 256 rays per pixel, as a fraction of white,
+    over the pixels that either hits; NaN where colours mean something else."""
     relative_mse: float = np.nan
-    """Of the light, against 4096 samples a pixel; NaN for what has none."""
+    """Of the light, against 4096 samples per pixel; NaN for what has none."""
     flip: float = np.nan
     """Mean FLIP error against them; NaN for what has no light, or without the evaluator."""
 
@@ -85,8 +86,17 @@ def expect(packing: pv.PolyData, camera: pv.Camera, size: tuple[int, int]) -> Ex
     return Expected(picture.sphere_id, near + picture.t * (far - near))
 
 
-def errors_of(seen: Seen, expected: Expected) -> dict[str, float]:
-    """Compare what a technique shows with what float64 rays see; keys are fields of `Row`."""
+class PixelErrors(TypedDict):
+    """How the pixels of a technique differ from float64 rays, as in `Row`."""
+
+    hit_pixels: int
+    wrong_pixels: int
+    depth_median: float
+    depth_most: float
+
+
+def errors_of(seen: Seen, expected: Expected) -> PixelErrors:
+    """Compare what a technique shows with what float64 rays see."""
     hit = expected.sphere_id >= 0
     right = seen.sphere_id == expected.sphere_id
     both = right & hit
@@ -131,7 +141,7 @@ def take_turns(subjects: Sequence[Subject], turns: int, limit: float) -> list[li
         Seconds of the frames that count, of each subject.
     """
     first = [_timed(subject.frame) for subject in subjects]
-    times = [[] for _ in subjects]
+    times: list[list[float]] = [[] for _ in subjects]
     for turn in range(turns):
         for subject, seconds, own in zip(subjects, first, times, strict=True):
             if (turn + 2) * seconds <= limit:
@@ -163,7 +173,7 @@ def measure(
         Seconds that the frames of a technique may take. It is left out from the count on at which,
         by the time of the count before, a single one would take longer.
     tick : callable
-        Told what is going on.
+        Called with what is being measured.
 
     Yields
     ------
@@ -216,7 +226,7 @@ def _rows(
     size: tuple[int, int],
     expected: Expected,
 ) -> list[Row]:
-    """One row a technique."""
+    """One row per technique."""
     exact = bright = None
     rows = []
     for technique, subject, own in zip(techniques, subjects, times, strict=True):
@@ -226,15 +236,13 @@ def _rows(
             if exact is None:
                 exact = _smooth(packing, camera, seen.color.shape[1::-1])
             error = color_error(seen.color, exact)
-        light_error = {}
+        relative_mse = flip = np.nan
         if hasattr(subject, "light"):
             if bright is None:
                 bright = light.reference(packing, camera, size)
             image = subject.light(light.size_of_reference(size))
-            light_error = {
-                "relative_mse": light.relative_mse(image["radiance"], bright["radiance"]),
-                "flip": light.flip(image, bright),
-            }
+            relative_mse = light.relative_mse(image["radiance"], bright["radiance"])
+            flip = light.flip(image, bright)
         rows.append(
             Row(
                 technique=technique.name,
@@ -247,7 +255,8 @@ def _rows(
                 bytes_per_sphere=subject.memory_bytes / packing.n_points,
                 color_error=error,
                 **errors_of(seen, expected),
-                **light_error,
+                relative_mse=relative_mse,
+                flip=flip,
             )
         )
     return rows

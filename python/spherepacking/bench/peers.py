@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
 import pyvista as pv
 
-from .techniques import Technique, Window
+from .technique import Technique
+from .window import Window
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
+
+    from ..backend import vtkGlyph3DMapper, vtkPolyDataMapper
 
 _DISC = """//VTK::Color::Impl
   if (dot(offsetVCVSOutput, offsetVCVSOutput) > 1.0) discard;
@@ -33,7 +37,7 @@ def add_discs(
 def _add_sphere_mapper(
     plotter: pv.Plotter, packing: pv.PolyData, colors: NDArray[np.uint8] | None
 ) -> None:
-    from .._backend import vtkOpenGLSphereMapper
+    from ..backend import vtkOpenGLSphereMapper
 
     mapper = vtkOpenGLSphereMapper()
     mapper.SetScaleArray("radius")
@@ -46,7 +50,7 @@ def _add_sphere_mapper(
 def _add_meshes(
     plotter: pv.Plotter, packing: pv.PolyData, colors: NDArray[np.uint8] | None
 ) -> None:
-    from .._backend import vtkGlyph3DMapper
+    from ..backend import vtkGlyph3DMapper
 
     mapper = vtkGlyph3DMapper()
     mapper.SetSourceData(pv.Sphere(radius=1.0, theta_resolution=8, phi_resolution=8))
@@ -57,7 +61,7 @@ def _add_meshes(
 
 def _add(
     plotter: pv.Plotter,
-    mapper: object,
+    mapper: vtkPolyDataMapper | vtkGlyph3DMapper,
     packing: pv.PolyData,
     colors: NDArray[np.uint8] | None,
 ) -> None:
@@ -80,12 +84,9 @@ def _add(
 
 def vtk() -> list[Technique]:
     """Return the mappers of the VTK that PyVista runs on."""
-    from .._backend import vtkOpenGLSphereMapper
+    from ..backend import vtkOpenGLSphereMapper
 
     ways = {"VTK discs": add_discs, "VTK meshes of 8 × 8": _add_meshes}
     if vtkOpenGLSphereMapper is not None:
         ways["VTK sphere mapper"] = _add_sphere_mapper
-    return [
-        Technique(name, "", 1, lambda *view, add=add: Window(*view, add))
-        for name, add in ways.items()
-    ]
+    return [Technique(name, "", 1, partial(Window, add=add)) for name, add in ways.items()]

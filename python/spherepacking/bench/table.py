@@ -34,14 +34,14 @@ def table_of(rows: Sequence[Row], size: tuple[int, int]) -> Table:
     Returns
     -------
     rich.table.Table
-        One line a row.
+        One line per row.
     """
     table = Table(
         title=f"Frame of {size[0]} × {size[1]} pixels, and its error against float64 rays",
-        caption="ms: a frame; build: the structure's, in ms; bytes: of the structure, a sphere; "
-        "wrong: share of the hit pixels that show another sphere, or none; depth, most: median and "
-        "largest of the relative errors; colour: RMS difference from 256 rays a pixel, white is 1; "
-        "relMSE and FLIP: of the light, against 4096 paths a pixel",
+        caption="ms: a frame; build: the structure's, in ms; bytes: of the structure, per sphere; "
+        "wrong: fraction of the hit pixels that show another sphere, or none; depth, most: median "
+        "and largest of the relative errors; colour: RMS difference from 256 rays per pixel, white "
+        "is 1; relMSE and FLIP: of the light, against 4096 paths per pixel",
         box=box.SIMPLE,
     )
     for name in ("spheres", "technique", "ms", "build", "bytes"):

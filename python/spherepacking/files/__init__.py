@@ -1,0 +1,1 @@
+"""Reading and writing: packings, pictures, layers of pictures, surfaces."""

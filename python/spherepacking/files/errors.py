@@ -1,0 +1,7 @@
+"""What is raised about files."""
+
+from __future__ import annotations
+
+
+class PackingFileError(ValueError):
+    """A file holds no sphere packing; the message names file, line, what was found and expected."""

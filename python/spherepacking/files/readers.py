@@ -1,0 +1,205 @@
+"""Reading packing files, through ``pyvista.read`` and by :func:`read`."""
+
+from __future__ import annotations
+
+from contextlib import nullcontext
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import pyvista as pv
+
+from ..vtk_tools import ErrorLog, errors_raised, progress_bar
+from .errors import PackingFileError
+
+if TYPE_CHECKING:
+    import os
+    from typing import Literal
+
+    from ..backend import vtkSpherePackingReader
+
+# Seconds before a progress bar appears, so that short work shows none.
+_BAR_DELAY = 0.5
+
+
+# PyVista 0.48, which some builds run on, has no generic one.
+class SpherePackingReader(pv.BaseReader, pv.TimeReader):  # type: ignore[type-arg]
+    """Reader of sphere packings.
+
+    ``pyvista.read`` and ``pyvista.get_reader`` use it for the extensions that PyVista does not
+    read itself. The steps of a LAMMPS or LIGGGHTS dump are its time points; other files have none.
+
+    Parameters
+    ----------
+    path : str or pathlib.Path
+        File to read.
+
+    Raises
+    ------
+    FileNotFoundError
+        If there is no such file.
+    IsADirectoryError
+        If `path` is a directory.
+    ImportError
+        If PyVista runs on another VTK than the one that this package was built with.
+
+    Examples
+    --------
+    >>> import pyvista as pv
+    >>> reader = pv.get_reader("packing.spheres")  # doctest: +SKIP
+    >>> reader.precision = "single"  # doctest: +SKIP
+    >>> packing = reader.read()  # doctest: +SKIP
+    """
+
+    @staticmethod
+    def _class_reader() -> vtkSpherePackingReader:
+        # Called by BaseReader to make its VTK reader; imported here, see backend.
+        from ..backend import vtkSpherePackingReader
+
+        return vtkSpherePackingReader()
+
+    def _set_defaults(self) -> None:
+        self._time: float | None = None
+
+    def _set_directory(self, directory: str) -> None:
+        raise IsADirectoryError(f"{directory}: found a directory, expected a file with a packing")
+
+    def _update_information(self) -> None:
+        # There is nothing to know before the file is read, and PyVista drops what is raised here.
+        pass
+
+    @property
+    def precision(self) -> Literal["single", "double"]:
+        """Return or set the precision of the centres, ``"double"`` by default."""
+        single = self.reader.GetOutputPointsPrecision() == self.reader.SINGLE_PRECISION
+        return "single" if single else "double"
+
+    @precision.setter
+    def precision(self, precision: Literal["single", "double"]) -> None:
+        if precision not in ("single", "double"):
+            raise ValueError(f"precision: found {precision!r}, expected 'single' or 'double'")
+        single = precision == "single"
+        self.reader.SetOutputPointsPrecision(
+            self.reader.SINGLE_PRECISION if single else self.reader.DOUBLE_PRECISION
+        )
+
+    @property
+    def time_values(self) -> list[float]:
+        """Return the time steps of a dump; empty for other files."""
+        # What is wrong with the file is raised when it is read.
+        with ErrorLog(self.reader):
+            self.reader.UpdateInformation()
+        key = self.reader.GetExecutive().TIME_STEPS()
+        return list(self.reader.GetOutputInformation(0).Get(key) or ())
+
+    @property
+    def number_time_points(self) -> int:
+        """Return the number of time steps."""
+        return len(self.time_values)
+
+    def time_point_value(self, time_point: int) -> float:
+        """Return the time step at an index, or raise an IndexError."""
+        return self.time_values[time_point]
+
+    @property
+    def active_time_value(self) -> float | None:  # type: ignore[override]  # other files have none
+        """Return the time step that is read; the first by default, None without any."""
+        return next(iter(self.time_values), None) if self._time is None else self._time
+
+    def set_active_time_value(self, time_value: float) -> None:
+        """Choose the time step to read, one of `time_values`, or raise a ValueError."""
+        values = self.time_values
+        if time_value not in values:
+            raise ValueError(f"time_value: found {time_value}, expected one of {values}")
+        self._time = time_value
+
+    def set_active_time_point(self, time_point: int) -> None:
+        """Choose the time step to read by its index, or raise an IndexError."""
+        self._time = self.time_point_value(time_point)
+
+    def read(self, *, validate: bool | None = None) -> pv.PolyData:
+        """Read the file.
+
+        Parameters
+        ----------
+        validate : bool, optional
+            Passed to :func:`pyvista.wrap`.
+
+        Returns
+        -------
+        pyvista.PolyData
+            What :func:`spherepacking.read` returns, and it raises the same PackingFileError.
+        """
+        # pyvista.read() observes the reader, too, and would log what is raised here.
+        self.reader.RemoveObservers("ErrorEvent")
+        bar = progress_bar(self.reader, self._progress_msg or "")
+        with (
+            errors_raised(self.reader, PackingFileError),
+            bar if self._progress_bar else nullcontext(),
+        ):
+            if self._time is None:
+                self.reader.Update()
+            else:
+                self.reader.UpdateTimeStep(self._time)
+        return pv.wrap(self.reader.GetOutput(), validate=validate)
+
+
+def _read_function(path: str) -> pv.PolyData:
+    """Read `path`."""
+    return SpherePackingReader(path).read()
+
+
+# Upstream: PyVista before 0.49 takes functions only, no classes, from entry points:
+# https://github.com/pyvista/pyvista/pull/8950.
+entry_point = SpherePackingReader if pv.version_info >= (0, 49) else _read_function
+
+
+def read(
+    path: str | os.PathLike[str],
+    *,
+    precision: Literal["single", "double"] = "double",
+    progress: bool = False,
+) -> pv.PolyData:
+    """Read a sphere packing whatever its file is called.
+
+    The format follows from the extension and, where that says nothing, from the content.
+
+    Parameters
+    ----------
+    path : str or os.PathLike
+        File to read.
+    precision : {"double", "single"}, default: "double"
+        Precision of the centres.
+    progress : bool, default: False
+        Show a progress bar on stderr if reading takes longer than half a second.
+
+    Returns
+    -------
+    pyvista.PolyData
+        Centres as points (n, 3), radii as active point array ``radius`` (n,), other numeric
+        columns of the file as further point arrays. Units are those of the file.
+
+    Raises
+    ------
+    FileNotFoundError
+        If there is no such file.
+    IsADirectoryError
+        If `path` is a directory.
+    OSError
+        If it is a pipe or a device.
+    PackingFileError
+        If the file holds no packing. The message names file and line, what was found and what was
+        expected.
+
+    Examples
+    --------
+    >>> import spherepacking
+    >>> packing = spherepacking.read("packing.spheres")  # doctest: +SKIP
+    """
+    path = Path(path).expanduser()
+    if path.exists() and not (path.is_file() or path.is_dir()):
+        raise OSError(f"{path}: found a pipe or a device, expected a file")
+    reader = SpherePackingReader(path)
+    reader.precision = precision
+    bar = progress_bar(reader.reader, f"Reading {path.name}", _BAR_DELAY)
+    with bar if progress else nullcontext():
+        return reader.read()

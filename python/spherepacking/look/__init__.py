@@ -1,0 +1,1 @@
+"""How spheres look: scalars, colour maps, scalar bars, materials."""

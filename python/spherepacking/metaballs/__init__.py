@@ -1,0 +1,1 @@
+"""Fields that spheres add up to, and surfaces in them."""

@@ -1,0 +1,192 @@
+"""What is known about a packing: that it is one, its radii, and whether it has changed."""
+
+from __future__ import annotations
+
+import zlib
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+import pyvista as pv
+
+from .checks import per_sphere, storable
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+
+def packing_of(packing: object) -> pv.PolyData:
+    """`packing` as a PolyData, or a TypeError."""
+    wrapped = pv.wrap(packing) if hasattr(packing, "IsA") else packing
+    if not isinstance(wrapped, pv.PolyData):
+        raise TypeError(
+            f"packing: found a {type(packing).__name__}, expected a PolyData whose points are the "
+            "centres of the spheres"
+        )
+    return wrapped
+
+
+def no_such_array(argument: str, name: str, packing: pv.PolyData) -> KeyError:
+    """Make the error that says which arrays there are."""
+    there = ", ".join(packing.point_data.keys()) or "none"
+    hint = " (there is a cell array of that name)" if name in packing.cell_data else ""
+    return KeyError(
+        f"{argument}: the packing has no point array {name!r}{hint}, its point arrays are: {there}"
+    )
+
+
+def check_radii(packing: pv.PolyData, name: str = "radius") -> None:
+    """Check that a point array holds radii, and that the centres are finite.
+
+    Parameters
+    ----------
+    packing : pyvista.PolyData
+        Centres (n, 3).
+    name : str, default: "radius"
+        Name of the point array. A packing without spheres need not have it.
+
+    Raises
+    ------
+    KeyError
+        If there is no array of that name.
+    TypeError
+        If the radii are not real numbers.
+    ValueError
+        If there is not one radius per sphere, or a radius is negative or not finite, or a centre is
+        not finite.
+    """
+    from .backend import vtkSpherePackingInput
+
+    if packing.n_points and name not in packing.point_data:
+        raise no_such_array("radius", name, packing)
+    check = vtkSpherePackingInput()
+    if check.FindRadii(packing, name) is None and (message := check.GetMessage()):
+        numeric = packing.point_data[name].dtype.kind in "iuf"
+        raise (ValueError if numeric else TypeError)(f"radius: {message}")
+
+
+def with_radii(packing: pv.PolyData, radius: str | ArrayLike) -> tuple[pv.PolyData, str]:
+    """Check the radii and return the packing to draw and the name of its radius array.
+
+    Parameters
+    ----------
+    packing : pyvista.PolyData
+        Centres (n, 3).
+    radius : str or array_like
+        Name of a point array, n radii, or one radius for all spheres.
+
+    Returns
+    -------
+    tuple[pyvista.PolyData, str]
+        `packing` itself when `radius` is a name, else a shallow copy that has the array.
+
+    Raises
+    ------
+    KeyError, TypeError, ValueError
+        As :func:`check_radii`.
+    """
+    if isinstance(radius, str):
+        check_radii(packing, radius)
+        return packing, radius
+    values = np.asarray(radius)
+    if values.dtype.kind not in "iuf":
+        raise TypeError(
+            f"radius: found {values.dtype} values, expected real numbers or the name of a point "
+            "array"
+        )
+    values = storable("radius", values)
+    if values.ndim == 0:
+        values = np.full(packing.n_points, float(values))
+    values = per_sphere("radius", values, packing.n_points)
+    packing = packing.copy(deep=False)
+    packing.point_data["radius"] = values
+    check_radii(packing)
+    return packing, "radius"
+
+
+class ModifiedTimes(NamedTuple):
+    """When VTK last learned of changes of a packing; equal as long as it learned of no other.
+
+    VTK counts changes, so no two of its objects have a time in common.
+
+    Attributes
+    ----------
+    points, coordinates, radii : int
+        Of the vtkPoints, of their array, and of the point array ``radius``.
+    arrays : int
+        Of the latest change of any point array, or of which there are.
+    whole : int
+        Of the latest change of anything in the packing.
+    """
+
+    points: int
+    coordinates: int
+    radii: int
+    arrays: int
+    whole: int
+
+    @property
+    def geometry(self) -> tuple[int, int, int]:
+        """Of what centres and radii depend on."""
+        return self.points, self.coordinates, self.radii
+
+
+def modified_times(packing: pv.PolyData) -> ModifiedTimes | None:
+    """When a packing was last changed; None without spheres or radii."""
+    arrays = packing.GetPointData()
+    radii = arrays.GetAbstractArray("radius")
+    if not packing.n_points or radii is None:
+        return None
+    points = packing.GetPoints()
+    return ModifiedTimes(
+        points.GetMTime(),
+        points.GetData().GetMTime(),
+        radii.GetMTime(),
+        arrays.GetMTime(),
+        packing.GetMTime(),
+    )
+
+
+class ChangeDetector:
+    """Finds out when a packing was last changed, also behind VTK's back.
+
+    NumPy writes into an array without notifying VTK. ``packing["radius"] *= 2`` only notifies the
+    point data that an array was added, and a write through another view of the memory nothing.
+
+    Parameters
+    ----------
+    hash_contents : bool
+        Hash centres and radii each time. Otherwise only the radii, and only after another change
+        that VTK was notified of.
+    """
+
+    def __init__(self, *, hash_contents: bool) -> None:
+        self._hash_contents = hash_contents
+        self._times: ModifiedTimes | None = None
+        self._hashes = (0, 0)
+
+    def modified_times(self, packing: pv.PolyData) -> ModifiedTimes | None:
+        """Notify VTK of the changes that it does not know of, and return the times after that."""
+        times, before = modified_times(packing), self._times
+        if times is None:
+            return None
+        same = before is not None and times.geometry == before.geometry
+        notified = before is None or times.arrays != before.arrays
+        if same and not notified and not self._hash_contents:
+            return times
+        hashes = (
+            content_hash(packing.point_data["radius"]),
+            content_hash(packing.points) if self._hash_contents else 0,
+        )
+        if same:
+            radii = packing.GetPointData().GetAbstractArray("radius")
+            coordinates = packing.GetPoints().GetData()
+            for array, found, known in zip((radii, coordinates), hashes, self._hashes, strict=True):
+                if found != known:
+                    array.Modified()
+        self._hashes, self._times = hashes, modified_times(packing)
+        return self._times
+
+
+def content_hash(values: np.ndarray) -> int:
+    """Hash (CRC-32) of the bytes of an array."""
+    return zlib.crc32(np.ascontiguousarray(values).view(np.uint8))

@@ -1,0 +1,1 @@
+"""Oracles that tests and benchmarks stand on: exact pictures, their errors, packings."""

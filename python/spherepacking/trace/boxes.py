@@ -1,0 +1,159 @@
+"""The part of the accessor ``packing`` that makes boxes of acceleration structures."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import pyvista as pv
+
+from .. import checks
+from ..packing import check_radii
+from ..vtk_tools import errors_raised
+
+if TYPE_CHECKING:
+    from ..backend import vtkSpherePackingBoxAlgorithm
+
+
+class BoxesOfPacking:
+    """Boxes of the structures that find the spheres along a ray."""
+
+    _packing: pv.PolyData
+
+    def bvh_boxes(
+        self,
+        boxes: int | None = None,
+        depth: int | None = None,
+        leaves_only: bool = True,
+        *,
+        as_lines: bool = False,
+    ) -> pv.PolyData:
+        """Boxes of a bounding volume hierarchy, each the bounds of its spheres in double precision.
+
+        The spheres are split in two over and over, by the surface-area heuristic over all axes (I.
+        Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies", 2007), so that every
+        sphere lies in exactly one leaf.
+
+        Parameters
+        ----------
+        boxes : int, default: 15
+            How many leaves there are, 1 or more, unless there are fewer spheres. The node whose
+            split lowers the cost most is split first.
+        depth : int, optional
+            Instead of `boxes`, the depth down to which every node of more than one sphere is
+            split, 0 for one box around all spheres.
+        leaves_only : bool, default: True
+            Return the boxes of the leaves, instead of those of all nodes.
+        as_lines : bool, default: False
+            Make twelve lines per box instead of six quads.
+
+        Returns
+        -------
+        pyvista.PolyData
+            Six quads (or twelve lines) per box; empty for an empty packing. Cell arrays:
+
+            - ``box_id``: the node, numbered depth first from 0 for the root
+            - ``depth``: 0 for the root
+            - ``count``: number of spheres in the box
+
+            Field arrays:
+
+            - ``build_seconds``, ``memory_bytes``: of the hierarchy
+            - ``occupied_share``: volume of the leaves over that of the root
+            - ``leaf_of_sphere`` (n,): the ``box_id`` of the leaf of each sphere
+            - ``sah_cost``: expected number of nodes and spheres that a random ray through the root
+              is tested against (J. Goldsmith and J. Salmon, "Automatic Creation of Object
+              Hierarchies for Ray Tracing", 1987; J. D. MacDonald and K. S. Booth, "Heuristics for
+              Ray Tracing Using Space Subdivision", 1990)
+
+        Raises
+        ------
+        KeyError
+            If there is no point array ``radius``.
+        TypeError
+            If `boxes` or `depth` is not an integer, or the radii are not real numbers.
+        ValueError
+            If `boxes` is not positive or `depth` is negative, if both are given or make more boxes
+            than fit in memory, or if a radius is negative or not finite.
+
+        Examples
+        --------
+        >>> import spherepacking
+        >>> packing = spherepacking.apollonian(2)
+        >>> packing.packing.bvh_boxes(7).n_cells // 6
+        7
+        """
+        from ..backend import vtkSpherePackingBVH
+
+        if boxes is not None and depth is not None:
+            raise ValueError(f"depth: found {depth!r} beside boxes={boxes!r}, expected one of them")
+        bvh = vtkSpherePackingBVH()
+        if depth is not None:
+            bvh.SetDepth(checks.count_of("depth", depth, least=0))
+        elif boxes is not None:
+            bvh.SetNumberOfBoxes(checks.count_of("boxes", boxes))
+        bvh.SetLeavesOnly(checks.flag_of("leaves_only", leaves_only))
+        return _boxes_of(bvh, self._packing, as_lines)
+
+    def grid_boxes(self, cuts: int = 6, *, as_lines: bool = False) -> pv.PolyData:
+        """Boxes of the cells of a uniform grid that spheres touch.
+
+        The bounds of the packing are cut `cuts` times along each axis. A cell is touched when the
+        centre of a sphere is no farther from it than the radius (J. Arvo, "A Simple Method for
+        Box-Sphere Intersection Testing", Graphics Gems, 1990).
+
+        Parameters
+        ----------
+        cuts : int, default: 6
+            How often each axis is cut, 0 or more; there are ``(cuts + 1) ** 3`` cells.
+        as_lines : bool, default: False
+            Make twelve lines per box instead of six quads.
+
+        Returns
+        -------
+        pyvista.PolyData
+            Six quads (or twelve lines) per box; empty for an empty packing. Cell arrays:
+
+            - ``box_id``: the cell, x fastest
+            - ``depth``: 0
+            - ``count``: number of spheres that touch the cell
+
+            Field arrays:
+
+            - ``build_seconds``, ``memory_bytes``: of the grid
+            - ``occupied_share``: share of the cells that spheres touch
+
+        Raises
+        ------
+        KeyError
+            If there is no point array ``radius``.
+        TypeError
+            If `cuts` is not an integer, or the radii are not real numbers.
+        ValueError
+            If `cuts` is negative or makes more cells than fit in memory, or a radius is negative or
+            not finite.
+
+        Examples
+        --------
+        >>> import spherepacking
+        >>> boxes = spherepacking.apollonian(2).packing.grid_boxes(1)
+        >>> boxes.n_cells // 6
+        8
+        """
+        from ..backend import vtkSpherePackingGrid
+
+        grid = vtkSpherePackingGrid()
+        grid.SetCuts(checks.count_of("cuts", cuts, least=0))
+        return _boxes_of(grid, self._packing, as_lines)
+
+
+def _boxes_of(
+    algorithm: vtkSpherePackingBoxAlgorithm, packing: pv.PolyData, as_lines: bool
+) -> pv.PolyData:
+    """Output of a filter from packings to boxes, or an exception."""
+    if packing.n_points:
+        check_radii(packing)
+    algorithm.SetInputData(packing)
+    algorithm.SetBoxesAsLines(checks.flag_of("as_lines", as_lines))
+    with errors_raised(algorithm):
+        algorithm.Update()
+    return pv.wrap(algorithm.GetOutput())
