@@ -1,4 +1,4 @@
-"""The part of the accessor ``packing`` that makes boxes of acceleration structures."""
+"""The part of the accessor ``packing`` that makes boxes to look at acceleration structures by."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 class BoxesOfPacking:
-    """Boxes of the structures that find the spheres along a ray."""
+    """Boxes that show how a hierarchy or a grid divides the spheres."""
 
     _packing: pv.PolyData
 
@@ -27,11 +27,16 @@ class BoxesOfPacking:
         *,
         as_lines: bool = False,
     ) -> pv.PolyData:
-        """Boxes of a bounding volume hierarchy, each the bounds of its spheres in double precision.
+        """Boxes of a binary bounding volume hierarchy, each the bounds of its spheres.
 
         The spheres are split in two over and over, by the surface-area heuristic over all axes (I.
         Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies", 2007), so that every
-        sphere lies in exactly one leaf.
+        sphere lies in exactly one leaf. Boxes are in double precision.
+
+        It is not the hierarchy of ``ray_cast`` and ``path_trace``, which is made by the same splits
+        but has eight children per node, up to eight spheres per leaf, and boxes in single precision
+        that are enlarged by what rounding needs: such boxes are no bounds, and cannot be had in any
+        wanted number.
 
         Parameters
         ----------
@@ -57,7 +62,7 @@ class BoxesOfPacking:
 
             Field arrays:
 
-            - ``build_seconds``, ``memory_bytes``: of the hierarchy
+            - ``build_seconds``, ``memory_bytes``: of this hierarchy; pictures have their own
             - ``occupied_share``: volume of the leaves over that of the root
             - ``leaf_of_sphere`` (n,): the ``box_id`` of the leaf of each sphere
             - ``sah_cost``: expected number of nodes and spheres that a random ray through the root
@@ -119,8 +124,10 @@ class BoxesOfPacking:
 
             Field arrays:
 
-            - ``build_seconds``, ``memory_bytes``: of the grid
-            - ``occupied_share``: share of the cells that spheres touch
+            - ``build_seconds``: of counting
+            - ``memory_bytes``: what a table of the spheres of each cell would take; pictures that
+              are ray-cast through a grid tell what theirs took
+            - ``occupied_share``: fraction of the cells that spheres touch
 
         Raises
         ------
