@@ -32,7 +32,7 @@ class Limits(NamedTuple):
 SCALE_LIMITS = Limits(1e-150, 1e150)
 """Scale of a transformation: the mapper squares it, in double precision."""
 EXTENT_LIMITS = Limits(1e-15, 1e15)
-"""Length of a packing on the command line: OpenGL squares lengths, in single precision."""
+"""Length of a packing, and distance of the camera, on the command line: OpenGL squares them."""
 FINEST_EXTENT = 1e-13
 """Length of a packing over its distance from the origin: double precision has 16 digits."""
 RADIANCE_LIMITS = Limits(0.0, 1e15)
@@ -45,8 +45,8 @@ RELATIVE_ERROR_LIMITS = Limits(2e-5, 0.5)
 """Relative error of a field, if not 0: single precision alone makes one of 1e-5."""
 ENDLESS = 1e290
 """A time budget or noise target from which on there is none: VTK cuts infinity off at 1e299."""
-LARGEST_ID = 2**31 - 1
-"""Any count or index: an int of C++."""
+LARGEST_INT = 2**31 - 1
+"""Any count: an int of C++."""
 LARGEST_SEED = 2**32 - 1
 """Seed of the path tracer: an unsigned int of C++."""
 LARGEST_TRACED_SIDE = 65536
@@ -55,6 +55,8 @@ LARGEST_DRAWN_SIDE = 16384
 """Side of a drawn picture, in pixels: what every implementation of OpenGL has for a texture."""
 LARGEST_SPECULAR_POWER = 128.0
 """Specular power: as in VTK."""
+LARGEST_RAY_SAMPLES = 16
+"""Rays along a side of a pixel: more than 16 x 16 make no difference that 8 bits show."""
 STEP_LIMITS = Limits(0.001, 60.0)
 """Seconds between two steps of a live picture: a shorter one shows nothing new."""
 
@@ -79,7 +81,7 @@ def above_zero(name: str, value: float) -> float:
         raise ValueError(f"{name}: found {value!r}, expected a number above 0") from None
 
 
-def count_of(name: str, value: int, least: int = 1, most: int = LARGEST_ID) -> int:
+def count_of(name: str, value: int, least: int = 1, most: int = LARGEST_INT) -> int:
     """`value` as an integer from `least` to `most`, or a TypeError or ValueError."""
     try:
         count = None if isinstance(value, bool) else operator.index(value)

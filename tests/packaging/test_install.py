@@ -5,6 +5,7 @@ import importlib
 import importlib.metadata
 import importlib.util
 import inspect
+import re
 from pathlib import Path
 
 import pytest
@@ -39,6 +40,17 @@ def test_every_class_has_a_stub_with_its_members(name):
         kinds = (ast.FunctionDef, ast.ClassDef)  # a nested enumeration is a class
         declared = {node.name for node in stubs[class_name].body if isinstance(node, kinds)}
         assert own <= declared, f"{class_name}: {sorted(own - declared)} have no stub"
+
+
+@pytest.mark.parametrize("name", MODULES)
+def test_stubs_import_the_classes_that_they_name(name):
+    text = (package_folder() / f"{name}.pyi").read_text(encoding="utf-8")
+    body = ast.parse(text).body
+    known = {node.name for node in body if isinstance(node, ast.ClassDef)}
+    for node in body:
+        if isinstance(node, ast.ImportFrom):
+            known |= {alias.name for alias in node.names}
+    assert set(re.findall(r"'(vtk\w+)'", text)) <= known
 
 
 def test_the_package_is_marked_as_typed():

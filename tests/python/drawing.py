@@ -11,10 +11,10 @@ MIDDLE = SIZE // 2
 
 def packing(n=3, **arrays):
     """Return n unit spheres in a row along x, 3 apart, the middle one in the origin if n is odd."""
-    centres = np.zeros((n, 3))
-    centres[:, 0] = 3.0 * (np.arange(n) - (n - 1) / 2)
+    centers = np.zeros((n, 3))
+    centers[:, 0] = 3.0 * (np.arange(n) - (n - 1) / 2)
     mesh = pv.PolyData()
-    mesh.points = centres
+    mesh.points = centers
     mesh.point_data["radius"] = np.ones(n)
     for name, values in arrays.items():
         mesh.point_data[name] = np.asarray(values)
@@ -42,7 +42,7 @@ def at_spheres(picture, n=3):
     return np.asarray(picture)[MIDDLE, columns]
 
 
-def colours(mesh, **kwargs):
+def drawn_colors(mesh, **kwargs):
     """Return colours (n, 3) of the unlit spheres of `mesh` as `add` draws them with `kwargs`."""
     with plotter() as scene:
         scene.packing.add(mesh, lighting=False, show_scalar_bar=False, **kwargs)

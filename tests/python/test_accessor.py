@@ -67,8 +67,8 @@ def test_plot_leaves_a_picture_and_no_window(tmp_path):
     )
     picture = spherepacking.read_image(path)
     assert picture.shape[:2] == (90, 120)
-    colours = {tuple(c) for c in picture[..., :3].reshape(-1, 3).tolist()}
-    assert {(0, 0, 0), (255, 0, 0)} <= colours
+    colors = {tuple(c) for c in picture[..., :3].reshape(-1, 3).tolist()}
+    assert {(0, 0, 0), (255, 0, 0)} <= colors
     assert not pv.plotting.plotter._ALL_PLOTTERS
 
 

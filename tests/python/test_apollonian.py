@@ -12,9 +12,9 @@ def spheres(levels):
     return np.asarray(packing.points), np.asarray(packing["radius"]), np.asarray(packing["level"])
 
 
-def gaps(centres, radii):
+def gaps(centers, radii):
     """Return distances between the surfaces of all pairs (n, n), 0 where two touch from outside."""
-    apart = np.sqrt(((centres[:, None] - centres[None]) ** 2).sum(axis=-1))
+    apart = np.sqrt(((centers[:, None] - centers[None]) ** 2).sum(axis=-1))
     return apart - radii[:, None] - radii[None]
 
 
@@ -60,17 +60,17 @@ def test_documented_counts():
 
 
 def test_no_overlap_and_all_inside():
-    centres, radii, _ = spheres(5)
-    gap = gaps(centres, radii)
+    centers, radii, _ = spheres(5)
+    gap = gaps(centers, radii)
     np.fill_diagonal(gap, 0.0)
     assert gap.min() > -1e-12
-    assert (np.linalg.norm(centres, axis=1) + radii).max() <= 1.0 + 1e-12
+    assert (np.linalg.norm(centers, axis=1) + radii).max() <= 1.0 + 1e-12
 
 
 def test_neighbours_touch_exactly():
-    centres, radii, level = spheres(5)
-    gap = np.abs(gaps(centres, radii))
-    rim = np.abs(1.0 - np.linalg.norm(centres, axis=1) - radii)
+    centers, radii, level = spheres(5)
+    gap = np.abs(gaps(centers, radii))
+    rim = np.abs(1.0 - np.linalg.norm(centers, axis=1) - radii)
     touching = (gap < 1e-12).sum(axis=1) + (rim < 1e-12)
     # Every sphere of a level touches at least the four that it was made from.
     assert touching[level > 0].min() >= 4
@@ -108,17 +108,17 @@ def other_tangent_sphere(four, known):
     for (c1, b1), (c2, b2) in itertools.combinations(four, 2):
         points.append((b1 * c1 + b2 * c2) / (b1 + b2))
     points = np.array(points)
-    centre, b = known
+    center, b = known
     middle = points.mean(axis=0)
     _, spread, axes = np.linalg.svd(points - middle)
     if spread[2] < 1e-9:  # a plane is the limit of that sphere
-        return centre - 2.0 * axes[2] * (axes[2] @ (centre - middle)), b
+        return center - 2.0 * axes[2] * (axes[2] @ (center - middle)), b
     # |p - m|² = s² for all points is linear in m and s² - |m|².
     system = np.column_stack([2.0 * points, np.ones(len(points))])
     solution, *_ = np.linalg.lstsq(system, (points**2).sum(axis=1), rcond=None)
     middle, square = solution[:3], solution[3] + (solution[:3] ** 2).sum()
     radius = 1.0 / b
-    offset = centre - middle
+    offset = center - middle
     factor = square / (offset @ offset - radius * radius)
     image = abs(factor * radius)
     # The image surrounds the four if the inverted sphere has the middle inside.
@@ -149,10 +149,10 @@ def test_a_second_way_gives_the_same_spheres():
                 descend([*rest[:i], new, *rest[i:]], i, depth + 1)
 
     descend(start, None, 0)
-    inner = np.array([[*centre, 1.0 / b] for centre, b in found if b > 0.0])
+    inner = np.array([[*center, 1.0 / b] for center, b in found if b > 0.0])
     different = np.unique(np.round(inner, 7), axis=0)
-    centres, radii, _ = spheres(levels)
-    ours = np.column_stack([centres, radii])
+    centers, radii, _ = spheres(levels)
+    ours = np.column_stack([centers, radii])
     assert len(different) == len(ours)
     distance = np.abs(ours[:, None] - different[None]).max(axis=-1)
     assert distance.min(axis=1).max() < 1e-6

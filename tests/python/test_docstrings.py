@@ -10,8 +10,8 @@ import spherepacking
 MODULES = [
     module.name
     for module in pkgutil.walk_packages(spherepacking.__path__, "spherepacking.")
-    # Not the build's libraries, what runs the command, and what needs Embree.
-    if not module.name.rpartition(".")[2].startswith(("vtk", "lib", "__main__", "embree"))
+    # Not the wrapped modules, what runs the command, and what needs Embree.
+    if not module.name.rpartition(".")[2].startswith(("vtkSphere", "__main__", "embree"))
 ]
 
 

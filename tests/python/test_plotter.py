@@ -7,7 +7,7 @@ import weakref
 import numpy as np
 import pytest
 import pyvista as pv
-from drawing import SIZE, colours, packing, plotter
+from drawing import SIZE, drawn_colors, packing, plotter
 from spherepacking.plotter import PackingComponent
 
 RED, GREEN, BLUE = (255, 0, 0), (0, 255, 0), (0, 0, 255)
@@ -32,12 +32,12 @@ def test_words_are_those_of_add_mesh():
 
 
 def test_color():
-    assert close(colours(packing(), color="red"), [RED] * 3)
+    assert close(drawn_colors(packing(), color="red"), [RED] * 3)
 
 
 def test_color_of_the_theme():
     expected = pv.Color(pv.global_theme.color).int_rgb
-    assert close(colours(packing()), [expected] * 3)
+    assert close(drawn_colors(packing()), [expected] * 3)
 
 
 def test_color_cycler():
@@ -48,26 +48,26 @@ def test_color_cycler():
 
 
 def test_scalars_by_name_through_a_colour_map():
-    found = colours(packing(height=[0, 1, 2]), scalars="height", cmap=["red", "lime", "blue"])
+    found = drawn_colors(packing(height=[0, 1, 2]), scalars="height", cmap=["red", "lime", "blue"])
     assert close(found, RGB)
 
 
 def test_scalars_as_array_match_scalars_by_name():
     mesh = packing(height=[0.0, 1.0, 2.0])
     kwargs = {"cmap": ["red", "lime", "blue"]}
-    named = colours(mesh, scalars="height", **kwargs)
-    assert np.array_equal(colours(mesh, scalars=[0.0, 1.0, 2.0], **kwargs), named)
+    named = drawn_colors(mesh, scalars="height", **kwargs)
+    assert np.array_equal(drawn_colors(mesh, scalars=[0.0, 1.0, 2.0], **kwargs), named)
 
 
 def test_active_scalars_unless_there_is_a_color():
     mesh = packing(height=[0, 1, 2])
     mesh.set_active_scalars("height")
-    assert close(colours(mesh, cmap=["red", "lime", "blue"]), RGB)
-    assert close(colours(mesh, color="red"), [RED] * 3)
+    assert close(drawn_colors(mesh, cmap=["red", "lime", "blue"]), RGB)
+    assert close(drawn_colors(mesh, color="red"), [RED] * 3)
 
 
 def test_clim_below_and_above():
-    found = colours(
+    found = drawn_colors(
         packing(height=[0, 1, 2]),
         scalars="height",
         clim=(0.5, 1.5),
@@ -79,7 +79,7 @@ def test_clim_below_and_above():
 
 
 def test_nan_color():
-    found = colours(
+    found = drawn_colors(
         packing(height=[0, np.nan, 0]), scalars="height", cmap=["red"], nan_color="lime"
     )
     assert close(found, [RED, GREEN, RED])
@@ -87,34 +87,34 @@ def test_nan_color():
 
 def test_only_nan_scalars():
     assert close(
-        colours(packing(height=[np.nan] * 3), scalars="height", nan_color="lime"), [GREEN] * 3
+        drawn_colors(packing(height=[np.nan] * 3), scalars="height", nan_color="lime"), [GREEN] * 3
     )
 
 
 @pytest.mark.parametrize("opacity", [1, 1.0])
 def test_nan_opacity(opacity):
     mesh = packing(height=[0, np.nan, 1])
-    found = colours(mesh, scalars="height", nan_color="lime", nan_opacity=opacity)
+    found = drawn_colors(mesh, scalars="height", nan_color="lime", nan_opacity=opacity)
     assert close(found[1], GREEN)
-    found = colours(mesh, scalars="height", nan_color="lime", nan_opacity=0 * opacity)
+    found = drawn_colors(mesh, scalars="height", nan_color="lime", nan_opacity=0 * opacity)
     assert close(found[1], (0, 0, 0))
 
 
 def test_log_scale_of_clim_draws_the_others_in_the_lowest_colour():
     kwargs = {"scalars": "height", "cmap": ["red", "lime", "blue"]}
     mesh = packing(height=[-1.0, 10.0, 100.0])
-    assert close(colours(mesh, log_scale=True, clim=(1, 100), **kwargs), RGB)
+    assert close(drawn_colors(mesh, log_scale=True, clim=(1, 100), **kwargs), RGB)
 
 
 def test_log_scale():
     kwargs = {"scalars": "height", "cmap": ["red", "lime", "blue"]}
     mesh = packing(height=[1.0, 10.0, 100.0])
-    assert close(colours(mesh, log_scale=True, **kwargs), RGB)
-    assert not close(colours(mesh, **kwargs), RGB)
+    assert close(drawn_colors(mesh, log_scale=True, **kwargs), RGB)
+    assert not close(drawn_colors(mesh, **kwargs), RGB)
 
 
 def test_flip_scalars():
-    found = colours(
+    found = drawn_colors(
         packing(height=[0, 1, 2]), scalars="height", cmap=["red", "lime", "blue"], flip_scalars=True
     )
     assert close(found, RGB[::-1])
@@ -123,18 +123,18 @@ def test_flip_scalars():
 def test_component_and_magnitude():
     mesh = packing(velocity=[[3.0, 4.0, 0.0], [0.0, 0.0, 0.0], [0.0, 5.0, 0.0]])
     kwargs = {"scalars": "velocity", "cmap": ["red", "blue"], "n_colors": 2}
-    assert close(colours(mesh, **kwargs), [BLUE, RED, BLUE])
-    assert close(colours(mesh, component=0, **kwargs), [BLUE, RED, RED])
+    assert close(drawn_colors(mesh, **kwargs), [BLUE, RED, BLUE])
+    assert close(drawn_colors(mesh, component=0, **kwargs), [BLUE, RED, RED])
 
 
 def test_text_scalars_are_categories():
     mesh = packing(kind=["a", "b", "a"])
-    assert close(colours(mesh, scalars="kind", cmap=["red", "lime"]), [RED, GREEN, RED])
+    assert close(drawn_colors(mesh, scalars="kind", cmap=["red", "lime"]), [RED, GREEN, RED])
 
 
 def test_bool_scalars():
     mesh = packing(chosen=[False, True, False])
-    assert close(colours(mesh, scalars="chosen", cmap=["red", "lime"]), [RED, GREEN, RED])
+    assert close(drawn_colors(mesh, scalars="chosen", cmap=["red", "lime"]), [RED, GREEN, RED])
 
 
 @pytest.mark.parametrize("scale", [1.0, 255])
@@ -143,11 +143,11 @@ def test_rgb(scale, named):
     dtype = np.uint8 if scale == 255 else float
     values = (np.array(RGB) / 255 * scale).astype(dtype)
     mesh = packing(tint=values) if named else packing()
-    assert close(colours(mesh, scalars="tint" if named else values, rgb=True), RGB)
+    assert close(drawn_colors(mesh, scalars="tint" if named else values, rgb=True), RGB)
 
 
 def test_rgb_by_name():
-    assert close(colours(packing(tint_rgb=np.array(RGB, np.uint8)), scalars="tint_rgb"), RGB)
+    assert close(drawn_colors(packing(tint_rgb=np.array(RGB, np.uint8)), scalars="tint_rgb"), RGB)
 
 
 def through(*opacities):
@@ -156,14 +156,14 @@ def through(*opacities):
 
 
 def test_opacity_of_the_actor():
-    assert close(colours(packing(), color="white", opacity=0.5), through(0.5), tolerance=2)
+    assert close(drawn_colors(packing(), color="white", opacity=0.5), through(0.5), tolerance=2)
 
 
 def test_opacity_is_that_of_a_meshed_sphere():
     with plotter() as scene:
         scene.add_mesh(pv.Sphere(radius=1.0), color="white", lighting=False, opacity=0.5)
         meshed = scene.screenshot(None, return_img=True)[50, 50]
-    assert close(colours(packing(1), color="white", opacity=0.5), meshed)
+    assert close(drawn_colors(packing(1), color="white", opacity=0.5), meshed)
 
 
 @pytest.mark.parametrize("named", [True, False])
@@ -172,7 +172,7 @@ def test_opacity_of_each_sphere(named, mapped):
     values = np.array([0.0, 0.5, 1.0])
     mesh = packing(clear=values, height=[1.0, 1.0, 1.0])
     look = {"scalars": "height", "cmap": ["white"], "clim": (0, 2)} if mapped else {"color": "w"}
-    found = colours(mesh, opacity="clear" if named else values, **look)
+    found = drawn_colors(mesh, opacity="clear" if named else values, **look)
     assert close(found, through(0.0, 0.5, 1.0), tolerance=2)
 
 
@@ -183,19 +183,19 @@ def test_opacity_of_each_sphere(named, mapped):
 )
 def test_opacity_along_the_colour_map(opacity):
     mesh = packing(height=[0.0, 1.0, 2.0])
-    found = colours(mesh, scalars="height", cmap=["white"] * 256, opacity=opacity)
+    found = drawn_colors(mesh, scalars="height", cmap=["white"] * 256, opacity=opacity)
     assert close(found, through(0.0, 0.5, 1.0), tolerance=3)
 
 
 def test_opacity_along_a_colour_map_of_categories():
     mesh = packing(kind=["a", "b", "c"])
-    found = colours(mesh, scalars="kind", cmap=["white"] * 3, opacity="linear")
+    found = drawn_colors(mesh, scalars="kind", cmap=["white"] * 3, opacity="linear")
     assert close(found, through(0.0, 0.5, 1.0), tolerance=3)
 
 
 def test_opacity_of_each_sphere_on_equal_scalars():
     mesh = packing(height=[1.0, 1.0, 1.0])
-    found = colours(mesh, scalars="height", cmap=["white"], opacity=[0.0, 0.5, 1.0])
+    found = drawn_colors(mesh, scalars="height", cmap=["white"], opacity=[0.0, 0.5, 1.0])
     assert close(found, through(0.0, 0.5, 1.0), tolerance=2)
 
 
@@ -225,7 +225,7 @@ def test_radii_and_scalars_of_any_width_and_byte_order(kind):
 
 
 def test_one_sphere_and_none():
-    assert close(colours(packing(1), color="red"), [RED])
+    assert close(drawn_colors(packing(1), color="red"), [RED])
     with plotter() as scene:
         actor = scene.packing.add(packing(0))
         assert scene.screenshot(None, return_img=True).max() == 0

@@ -101,7 +101,7 @@ def vector_radius(mesh):
     mesh["radius"] = np.ones((3, 3))
 
 
-def bad_centre(mesh):
+def bad_center(mesh):
     mesh.points[2, 1] = np.nan
 
 
@@ -122,7 +122,7 @@ BAD = {
     "nan-radius": (bad_radius(np.nan), "p.spheres", "holds nan at point 1"),
     "no-array": (no_array, "p.spheres", "no point array 'radius'"),
     "vector": (vector_radius, "p.spheres", "has 3 components, expected 1"),
-    "nan-centre": (bad_centre, "p.csv", "centre of point 2 has the coordinate nan"),
+    "nan-centre": (bad_center, "p.csv", "centre of point 2 has the coordinate nan"),
     "no-points": (no_points, "p.spheres", "holds no sphere, expected at least one"),
     "dump": (lambda mesh: None, "p.dump", "cannot be written, expected the extension .spheres"),
     "no-extension": (lambda mesh: None, "p", "cannot be written, expected the extension .spheres"),

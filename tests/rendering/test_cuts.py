@@ -20,8 +20,8 @@ def test_near_plane_shows_the_inside(rng, parallel_scale, samples):
     assert errors.good, errors
     assert errors.sphere_wrong <= 10
     # The scene is one where that matters: some visible hits are on the far side of their sphere.
-    centre_depth = 4.0 - centers[expected.sphere_id[expected.sphere_id >= 0], 2]
-    assert (centre_depth < 4.0).mean() > 0.05
+    center_depth = 4.0 - centers[expected.sphere_id[expected.sphere_id >= 0], 2]
+    assert (center_depth < 4.0).mean() > 0.05
 
 
 def test_far_plane_cuts(rng):

@@ -8,7 +8,7 @@ from scenes import make_packing
 
 @pytest.mark.parametrize("sun", [False, True], ids=["spotlight", "sun"])
 def test_shadows_are_those_of_fine_meshes(sun):
-    centres = np.array([[0.0, 0.0, 0.0], [0.9, 0.9, 1.5], [1.6, -0.5, 0.2]])
+    centers = np.array([[0.0, 0.0, 0.0], [0.9, 0.9, 1.5], [1.6, -0.5, 0.2]])
     radii = [1.0, 0.4, 0.5]
 
     def picture(add):
@@ -26,12 +26,12 @@ def test_shadows_are_those_of_fine_meshes(sun):
         return pixels.astype(int)
 
     def meshes(plotter):
-        for centre, radius in zip(centres, radii, strict=True):
-            mesh = pv.Sphere(radius=radius, center=centre, theta_resolution=200, phi_resolution=200)
+        for center, radius in zip(centers, radii, strict=True):
+            mesh = pv.Sphere(radius=radius, center=center, theta_resolution=200, phi_resolution=200)
             plotter.add_mesh(mesh, color="white", ambient=0.2, smooth_shading=True)
 
     def spheres(plotter):
-        plotter.packing.add(make_packing(centres, radii), color="white", ambient=0.2)
+        plotter.packing.add(make_packing(centers, radii), color="white", ambient=0.2)
 
     expected, found = picture(meshes), picture(spheres)
     assert ((expected > 20) & (expected < 80)).mean() > 0.05  # there is shadow

@@ -9,6 +9,7 @@ from rich.console import Console
 
 from ..files.image import check_output
 from ..files.replace import check_replaceable, replace_file
+from ..testing.accuracy import LARGEST_COUNT
 from . import fields
 from .catalog import everything
 from .chart import write_chart
@@ -48,8 +49,10 @@ def chosen(only: Sequence[str] | None) -> tuple[list[Technique], list[str]]:
 
 
 def _check(counts: Sequence[int], size: tuple[int, int], turns: int, limit: float) -> None:
-    if not counts or not all(100 <= count < 1 << 24 for count in counts):
-        raise ValueError(f"--counts: found {list(counts)}, expected numbers from 100 to 16777215")
+    if not counts or not all(100 <= count <= LARGEST_COUNT for count in counts):
+        raise ValueError(
+            f"--counts: found {list(counts)}, expected numbers from 100 to {LARGEST_COUNT}"
+        )
     if min(size) < 1 or max(size) > 8192:
         raise ValueError(
             f"--size: found {size[0]} {size[1]}, expected numbers of pixels from 1 to 8192"

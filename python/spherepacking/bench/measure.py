@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, TypedDict
 import numpy as np
 
 from ..accessor import PackingAccessor
+from ..checks import LARGEST_RAY_SAMPLES
 from ..testing import reference
 from ..testing.scenes import camera_of_all, depths_of, knot_tube
 from . import light
@@ -25,8 +26,6 @@ if TYPE_CHECKING:
 
 ONCE = 100_000
 """Spheres with which techniques are measured that take long, if there are so many."""
-MOST_RAYS = 16
-"""Along each side of a pixel, in the picture that colours are compared with."""
 
 
 @dataclass(frozen=True)
@@ -263,5 +262,7 @@ def _rows(
 
 
 def _smooth(packing: pv.PolyData, camera: pv.Camera, size: tuple[int, int]) -> NDArray[np.uint8]:
-    image = PackingAccessor(packing).ray_cast(camera, size, samples=MOST_RAYS, scalars="radius")
+    image = PackingAccessor(packing).ray_cast(
+        camera, size, samples=LARGEST_RAY_SAMPLES, scalars="radius"
+    )
     return np.asarray(image["color"]).reshape(size[1], size[0], 4)

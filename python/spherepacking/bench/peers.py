@@ -41,7 +41,8 @@ def _add_sphere_mapper(
 
     mapper = vtkOpenGLSphereMapper()
     mapper.SetScaleArray("radius")
-    # Without cells it draws nothing; made of points alone, a PolyData has one for each.
+    # Upstream: VTK 9.7's vtkOpenGLSphereMapper draws nothing without cells; made of points alone,
+    # a PolyData of PyVista has one for each.
     with_cells = pv.PolyData(np.asarray(packing.points))
     with_cells.point_data["radius"] = packing.point_data["radius"]
     _add(plotter, mapper, with_cells, colors)

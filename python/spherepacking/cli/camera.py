@@ -69,7 +69,7 @@ def aim(
     for name, vector in (("--camera", position), ("--focal", focal), ("--up", up)):
         if vector is not None and not np.isfinite(vector).all():
             raise ValueError(f"{name}: found {_text_of(vector)}, expected three finite numbers")
-    # Not set before they are known to differ: VTK moves the focal point away from the position.
+    # Not set before they are known to differ: vtkCamera moves a focal point that is the position.
     position = camera.position if position is None else position
     focal = camera.focal_point if focal is None else focal
     distance = math.dist(position, focal)

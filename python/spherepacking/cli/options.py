@@ -21,7 +21,7 @@ Output = Annotated[Path, Parameter(alias="-o")]
 
 
 def _whole(_: type, tokens: Sequence[Token]) -> int:
-    """Not rounded, as cyclopts would do."""
+    """An integer, or a ValueError. Upstream: cyclopts 5 rounds 1.5 to 2."""
     (token,) = tokens
     try:
         return int(token.value)
@@ -211,10 +211,11 @@ def check_technique(options: RenderOptions) -> None:
 
 def check_view(options: RenderOptions) -> None:
     """Raise a ValueError if there is no such picture."""
-    # OpenGL draws into textures, of which every implementation has 16384 pixels along a side;
-    # smoothing draws twice as many.
+    from ..checks import LARGEST_DRAWN_SIDE
+
     size = options.size
-    largest = 8192 if options.anti_aliasing else 16384
+    # Smoothing draws a picture of twice the size.
+    largest = LARGEST_DRAWN_SIDE // 2 if options.anti_aliasing else LARGEST_DRAWN_SIDE
     if min(size) < 1 or max(size) > largest:
         raise ValueError(
             f"--size: found {size[0]} {size[1]}, expected numbers of pixels from 1 to {largest}"

@@ -64,7 +64,8 @@ class SpherePackingReader(pv.BaseReader, pv.TimeReader):  # type: ignore[type-ar
         raise IsADirectoryError(f"{directory}: found a directory, expected a file with a packing")
 
     def _update_information(self) -> None:
-        # There is nothing to know before the file is read, and PyVista drops what is raised here.
+        # Upstream: PyVista 0.49 calls this when a reader is made, and passes on no error of VTK.
+        # Time steps are looked for when they are asked for.
         pass
 
     @property
@@ -129,7 +130,7 @@ class SpherePackingReader(pv.BaseReader, pv.TimeReader):  # type: ignore[type-ar
         pyvista.PolyData
             What :func:`spherepacking.read` returns, and it raises the same PackingFileError.
         """
-        # pyvista.read() observes the reader, too, and would log what is raised here.
+        # Upstream: pyvista.read() of 0.49 observes the reader, too, and logs what is raised here.
         self.reader.RemoveObservers("ErrorEvent")
         bar = progress_bar(self.reader, self._progress_msg or "")
         with (

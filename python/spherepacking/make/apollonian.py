@@ -29,7 +29,7 @@ _START = np.array(
     ],
     dtype=np.int64,
 )
-_MAX_LEVELS = 11
+_MAX_LEVELS = 11  # 1.4 million spheres; the next level would have 4.8 million
 
 
 def _unique_rows(rows: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

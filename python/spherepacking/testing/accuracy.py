@@ -16,6 +16,10 @@ if TYPE_CHECKING:
     from .reference import Picture
 
 
+LARGEST_COUNT = (1 << 24) - 1
+"""Number of spheres that the colours of a picture tell apart, without black."""
+
+
 @dataclass(frozen=True)
 class Drawn:
     """What a window shows; rows from the bottom, as VTK."""
@@ -53,9 +57,8 @@ class Errors:
 
 def id_colors(count: int) -> NDArray[np.uint8]:
     """Return an RGB colour per sphere from which :func:`read` finds the sphere again."""
-    if count >= 1 << 24:
-        msg = f"{count} spheres do not fit into the {(1 << 24) - 1} colours of a picture"
-        raise ValueError(msg)
+    if count > LARGEST_COUNT:
+        raise ValueError(f"count: found {count}, expected up to {LARGEST_COUNT} spheres")
     codes = np.arange(1, count + 1)
     return np.stack([codes & 255, (codes >> 8) & 255, codes >> 16], axis=1).astype(np.uint8)
 

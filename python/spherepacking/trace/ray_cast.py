@@ -58,7 +58,7 @@ class RayCaster:
         progress: bool,
     ) -> pv.ImageData:
         """Make a picture; the arguments are those of ``packing.packing.ray_cast``."""
-        samples = checks.count_of("samples", samples, most=16)
+        samples = checks.count_of("samples", samples, most=checks.LARGEST_RAY_SAMPLES)
         with self._prepared.lock:
             tracer = self._prepared.prepare(packing, camera, window_size, structure, cuts)
             tracer.SetSamples(samples)
