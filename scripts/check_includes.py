@@ -12,8 +12,8 @@ import re
 import sys
 from pathlib import Path
 
-# Each room of Core, from the ground up, and the rooms that its files may include besides their own.
-# The rooms up to the packer know no VTK.
+# The rooms of Core, from the ground up, and the rooms that the files of each may include besides
+# their own. These know no VTK.
 PLAIN = {
     "base": (),
     "accel": ("base",),
@@ -25,11 +25,13 @@ PLAIN = {
     "metaballs": ("base", "metaballs/field", "metaballs/multipole", "metaballs/multilevel"),
     "packer": ("base",),
 }
-ROOMS = PLAIN | {
+# The room "" is that of the wrapped classes.
+CORE = PLAIN | {
     "bridge": tuple(PLAIN),
     "io": ("base", "bridge"),
-    "": (*PLAIN, "bridge", "io"),  # the wrapped classes
+    "": (*PLAIN, "bridge", "io"),
 }
+RENDERING = {"impostor": (), "": ("impostor",)}
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"')
 
 
@@ -43,34 +45,34 @@ def includes_of(path: Path) -> list[tuple[int, str]]:
     return [(i, m[1]) for i, line in enumerate(lines, 1) if (m := INCLUDE.match(line))]
 
 
-def faults_of(core: Path, file: Path) -> list[str]:
-    """What is wrong with the includes of one file."""
-    name = file.relative_to(core)
-    room = room_of(name)
-    if room not in ROOMS:
-        return [f"{file}: found the room {room}, expected one of {', '.join(ROOMS)}"]
+def faults_of(module: Path, rooms: dict[str, tuple[str, ...]], file: Path) -> list[str]:
+    """What is wrong with the includes of one file of a module."""
+    room = room_of(file.relative_to(module))
+    if room not in rooms:
+        return [f"{file}: found the room {room}, expected one of {', '.join(rooms)}"]
     faults = []
     for line, included in includes_of(file):
         where = f"{file}:{line}: found {included}"
-        if not (core / included).is_file():
-            # Generated headers, and those of VTK.
-            if room in PLAIN:
-                faults.append(f"{where}, expected no VTK in {room}/")
-            continue
-        other = room_of(Path(included))
-        if other not in (room, *ROOMS[room]):
-            allowed = ", ".join(f"{r}/" for r in ROOMS[room]) or "no other room"
-            faults.append(f"{where} in {room}/, expected its own files or those of {allowed}")
+        if (module / included).is_file():
+            other = room_of(Path(included))
+            if other not in (room, *rooms[room]):
+                allowed = ", ".join(f"{r}/" for r in rooms[room]) or "no other room"
+                faults.append(f"{where} in {room}/, expected its own files or those of {allowed}")
+        # Generated headers, those of VTK, and the wrapped classes of the other module.
+        elif room in PLAIN:
+            faults.append(f"{where}, expected no VTK in {room}/")
+        elif "/" in included and not included.startswith("vtksys/"):
+            faults.append(f"{where}, expected a wrapped class of the other module")
     return faults
 
 
-def circle_in(core: Path) -> list[str]:
+def circle_in(module: Path) -> list[str]:
     """Headers that include each other in a circle, if there are any."""
     graph = {
-        header.relative_to(core).as_posix(): [
-            name for _, name in includes_of(header) if (core / name).is_file()
+        header.relative_to(module).as_posix(): [
+            name for _, name in includes_of(header) if (module / name).is_file()
         ]
-        for header in core.rglob("*.h")
+        for header in module.rglob("*.h")
     }
     done: set[str] = set()
 
@@ -89,19 +91,13 @@ def circle_in(core: Path) -> list[str]:
 
 
 def main(folder: Path) -> int:
-    core = folder / "Core"
-    files = sorted(path for path in core.rglob("*") if path.suffix in (".h", ".cxx"))
-    faults = [fault for file in files for fault in faults_of(core, file)]
-    if circle := circle_in(core):
-        faults.append(f"{core}: found a circle of includes: {' -> '.join(circle)}")
-    # Another module, which sees the wrapped classes of Core alone.
-    for file in sorted((folder / "Rendering").rglob("*.*")):
-        if file.suffix in (".h", ".cxx"):
-            faults += [
-                f"{file}:{line}: found {name} of Core, expected one of its wrapped classes"
-                for line, name in includes_of(file)
-                if "/" in name and (core / name).is_file()
-            ]
+    faults = []
+    for module, rooms in ((folder / "Core", CORE), (folder / "Rendering", RENDERING)):
+        files = sorted(path for path in module.rglob("*") if path.suffix in (".h", ".cxx"))
+        for file in files:
+            faults += faults_of(module, rooms, file)
+        if circle := circle_in(module):
+            faults.append(f"{module}: found a circle of includes: {' -> '.join(circle)}")
     for fault in faults:
         print(fault)
     return 1 if faults else 0

@@ -3,6 +3,7 @@
 
 #include "impostor/GBuffer.h"
 #include "impostor/ImpostorBuffers.h"
+#include "impostor/RestoreViewport.h"
 #include "impostor/ShaderReplacements.h"
 
 #include "vtkActor.h"
@@ -40,6 +41,7 @@ using spherepacking::ManySpheres;
 using spherepacking::PointSprites;
 using spherepacking::ProgramKind;
 using spherepacking::ReplacePicking;
+using spherepacking::RestoreViewport;
 using spherepacking::ShaderVariant;
 using spherepacking::ViewTransform;
 
@@ -85,25 +87,6 @@ namespace
 {
 // In pixels. The square of a larger point wastes more fragments than setting up a quad costs.
 constexpr float LargestUsefulPoint = 255.0f;
-
-// Sets the viewport and the scissor box to what VTK believes that they are.
-//
-// Upstream: VTK 9.7: vtkOSOpenGLRenderWindow and vtkEGLRenderWindow inherit a PopContext() that
-// does nothing. So when one window releases what it holds in the middle of another one's rendering,
-// as vtkOpenGLResourceFreeCallback does when an actor moves to another window, its context remains
-// current, and the viewport that VTK sets next goes there, whatever the vtkOpenGLState of the other
-// window believes.
-void RestoreViewport(vtkOpenGLState* state)
-{
-  int viewport[4];
-  int scissor[4];
-  state->vtkglGetIntegerv(GL_VIEWPORT, viewport);
-  state->vtkglGetIntegerv(GL_SCISSOR_BOX, scissor);
-  state->ResetGLViewportState();
-  state->ResetGLScissorState();
-  state->vtkglViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
-  state->vtkglScissor(scissor[0], scissor[1], scissor[2], scissor[3]);
-}
 }
 
 //------------------------------------------------------------------------------

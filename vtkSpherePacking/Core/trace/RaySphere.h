@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// Ray/sphere intersection: the one test of every technique and structure on the processor. Its
-/// twin in single precision is Rendering/glsl/vtkSpherePackingFSHit.glsl.
+/// twin in single precision is Rendering/glsl/RaySphereFS.glsl.
 ///
 /// The discriminant is r^2 - |l|^2, where l is the perpendicular from the ray to the centre, so
 /// that no large squares cancel. Source: Haines, Guenther, Akenine-Moller, "Precision Improvements
