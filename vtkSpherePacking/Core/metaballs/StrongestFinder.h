@@ -261,31 +261,32 @@ private:
     return true;
   }
 
-  // The order in which PruneCoincident() goes through coincident charges: a charge can only win
-  // against those before it if its radius is larger.
-  static bool IsBefore(const Charge& one, const Charge& other)
+  // By position; of coincident charges a later one can only win if its radius is larger.
+  struct CoincidentOrder
   {
-    for (int axis = 0; axis < 3; ++axis)
+    bool operator()(const Charge* one, const Charge* other) const
     {
-      if (one.Position[axis] != other.Position[axis])
+      for (int axis = 0; axis < 3; ++axis)
       {
-        return one.Position[axis] < other.Position[axis];
+        if (one->Position[axis] != other->Position[axis])
+        {
+          return one->Position[axis] < other->Position[axis];
+        }
       }
+      if (one->Strength != other->Strength)
+      {
+        return one->Strength > other->Strength;
+      }
+      return one->Radius != other->Radius ? one->Radius > other->Radius : one->Id < other->Id;
     }
-    if (one.Strength != other.Strength)
-    {
-      return one.Strength > other.Strength;
-    }
-    return one.Radius != other.Radius ? one.Radius > other.Radius : one.Id < other.Id;
-  }
+  };
 
   // Removes candidates that another one at the same position surpasses, or equals, everywhere. By
   // their bounds alone, thousands of concentric spheres would remain in all but the smallest boxes.
   void PruneCoincident()
   {
     ChargeList& candidates = this->Candidates[0];
-    std::sort(candidates.begin(), candidates.end(),
-      [](const Charge* one, const Charge* other) { return IsBefore(*one, *other); });
+    std::sort(candidates.begin(), candidates.end(), CoincidentOrder());
     std::size_t count = 0;
     float radius = 0.0f;
     for (std::size_t i = 0; i < candidates.size(); ++i)
