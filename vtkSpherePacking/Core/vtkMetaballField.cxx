@@ -7,6 +7,7 @@
 #include "bridge/GridGeometry.h"
 #include "bridge/Guard.h"
 #include "bridge/InterruptibleFor.h"
+#include "bridge/Limits.h"
 #include "bridge/PackingCharges.h"
 #include "bridge/RadiusArray.h"
 #include "bridge/SmpParallelFor.h"
@@ -146,14 +147,15 @@ void vtkMetaballField::CheckOptions() const
   }
   for (const double weight : this->Weights)
   {
-    if (!(weight >= 0.0 && weight <= 1e20))
+    if (!(weight >= 0.0 && weight <= spherepacking::MaxWeight))
     {
       Refuse("weights", Join(this->Weights.data(), this->GetNumberOfWeights()),
         "numbers from 0 to 1e20");
     }
   }
   const double error = this->RelativeError;
-  if (!(error == 0.0 || (error >= 2e-5 && error <= 0.5)))
+  if (!(error == 0.0 ||
+        (error >= spherepacking::MinRelativeError && error <= spherepacking::MaxRelativeError)))
   {
     Refuse("relative_error", error, "a number from 2e-5 to 0.5, or 0");
   }
@@ -221,11 +223,7 @@ int vtkMetaballField::RequestData(
     this->CheckOptions();
     vtkPolyData* packing = vtkPolyData::GetData(inputs[0]);
     vtkDataArray* radii = spherepacking::RadiiOf(packing, this->RadiusArrayName);
-    if (packing->GetNumberOfPoints() > VTK_INT_MAX)
-    {
-      Refuse(
-        "packing", std::to_string(packing->GetNumberOfPoints()) + " spheres", "at most 2147483647");
-    }
+    spherepacking::CheckCount(packing->GetNumberOfPoints());
     const PackingCharges charges(packing, radii, this->Count, this->Weights);
     vtkUnsignedCharArray* colors = this->FindColors(packing);
     const GridGeometry grid = this->FindGrid(packing, radii);

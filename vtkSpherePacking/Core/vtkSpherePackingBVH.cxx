@@ -5,6 +5,7 @@
 #include "bridge/BoxOutput.h"
 #include "bridge/FieldData.h"
 #include "bridge/MemoryLimit.h"
+#include "bridge/RadiusArray.h"
 #include "bridge/SmpParallelFor.h"
 
 #include "accel/BoxTree.h"
@@ -59,11 +60,7 @@ void vtkSpherePackingBVH::CheckOptions(vtkIdType spheres)
   {
     throw std::invalid_argument(found + ", expected 1 or more");
   }
-  if (spheres > std::numeric_limits<std::int32_t>::max())
-  {
-    throw std::invalid_argument(
-      "packing: found " + std::to_string(spheres) + " spheres, expected at most 2147483647");
-  }
+  spherepacking::CheckCount(spheres);
   const double wanted = byDepth ? std::exp2(this->Depth) : this->NumberOfBoxes;
   const double leaves = std::min(wanted, static_cast<double>(spheres));
   const double boxes = this->LeavesOnly ? leaves : 2.0 * leaves;

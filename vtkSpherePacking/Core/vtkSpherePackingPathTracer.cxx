@@ -5,6 +5,7 @@
 #include "bridge/CameraView.h"
 #include "bridge/FieldData.h"
 #include "bridge/Guard.h"
+#include "bridge/Limits.h"
 #include "bridge/PathFilm.h"
 #include "bridge/PictureArrays.h"
 #include "bridge/PreparedScene.h"
@@ -46,9 +47,6 @@ unsigned NextPass(unsigned samples, bool hurry)
                                : samples / SamplesPerCheck * SamplesPerCheck + SamplesPerCheck;
 }
 
-// Whose square is a number in single precision.
-constexpr double MostLight = 1e15;
-
 // Of the pixels that are traced first for a preview, along both sides.
 constexpr int PreviewStride = 2;
 
@@ -64,7 +62,7 @@ void CheckColor(const char* name, const double (&color)[3])
 {
   for (const double channel : color)
   {
-    CheckRange(name, channel, 0.0, MostLight, "three numbers from 0 to 1e15");
+    CheckRange(name, channel, 0.0, spherepacking::MaxRadiance, "three numbers from 0 to 1e15");
   }
 }
 
@@ -88,7 +86,8 @@ std::vector<float> PixelsOf(vtkImageData* image)
       {
         const double value =
           scalars->GetComponent(static_cast<vtkIdType>(row) * width + column, channel);
-        CheckRange("sky", value, 0.0, MostLight, "an image of numbers from 0 to 1e15");
+        CheckRange(
+          "sky", value, 0.0, spherepacking::MaxRadiance, "an image of numbers from 0 to 1e15");
         *to++ = static_cast<float>(value);
       }
     }
@@ -162,7 +161,8 @@ void vtkSpherePackingPathTracer::Check() const
   }
   CheckRange("time_budget", this->TimeBudget, 0.0, VTK_DOUBLE_MAX, "0 or more seconds");
   CheckRange("noise_target", this->NoiseTarget, 0.0, VTK_DOUBLE_MAX, "0 or more");
-  CheckRange("exposure", this->Exposure, -100.0, 100.0, "a number from -100 to 100");
+  CheckRange("exposure", this->Exposure, -spherepacking::MaxExposure, spherepacking::MaxExposure,
+    "a number from -100 to 100");
 }
 
 //------------------------------------------------------------------------------

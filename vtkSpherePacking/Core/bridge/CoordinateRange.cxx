@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bridge/CoordinateRange.h"
 
+#include "bridge/Limits.h"
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -8,13 +10,6 @@
 
 namespace spherepacking
 {
-namespace
-{
-// Single precision goes from about 1e-38 to 3e38.
-constexpr double Least = 1e-30;
-constexpr double Most = 1e30;
-}
-
 //------------------------------------------------------------------------------
 void CheckFinite(const double (&bounds)[6])
 {
@@ -44,12 +39,12 @@ void CheckCoordinateRange(const double (&bounds)[6])
     farthest = std::max(farthest, std::max(std::abs(low), std::abs(high)));
   }
   // Spheres of radius 0 at one point are not seen anyway.
-  if (farthest > Most || (length > 0.0 && length < Least))
+  if (farthest > MaxCoordinate || (length > 0.0 && length < MinLength))
   {
     std::ostringstream message;
     message << "packing: found spheres over a length of " << length << " at coordinates up to "
-            << farthest << ", expected a length from " << Least << " on and coordinates up to "
-            << Most;
+            << farthest << ", expected a length from " << MinLength << " on and coordinates up to "
+            << MaxCoordinate;
     throw std::invalid_argument(message.str());
   }
 }

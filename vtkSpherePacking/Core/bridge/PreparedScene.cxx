@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 
 namespace spherepacking
@@ -109,11 +108,7 @@ void PreparedScene::Build(
   vtkPolyData* packing, vtkDataArray* radii, const StructureOptions& options)
 {
   const SphereArrays& spheres = this->Spheres->Get();
-  if (spheres.Count > std::numeric_limits<std::int32_t>::max())
-  {
-    throw std::invalid_argument(
-      "packing: found " + std::to_string(spheres.Count) + " spheres, expected at most 2147483647");
-  }
+  CheckCount(spheres.Count);
   if (options.Kind == StructureKind::Bvh)
   {
     this->Hierarchy.reset(new Bvh(BuildBvh(spheres, SmpParallelFor())));

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bridge/RadiusArray.h"
 
+#include "bridge/Guard.h"
+#include "bridge/Limits.h"
+
 #include "vtkDataArray.h"
 #include "vtkDataArrayRange.h"
 #include "vtkDoubleArray.h"
@@ -179,6 +182,16 @@ vtkDataArray* RadiiOf(vtkPolyData* packing, const std::string& name)
     throw std::invalid_argument(message);
   }
   return radii;
+}
+
+//------------------------------------------------------------------------------
+void CheckCount(vtkIdType spheres)
+{
+  if (spheres > MaxSpheres)
+  {
+    Refuse(
+      "packing", std::to_string(spheres) + " spheres", "at most " + std::to_string(MaxSpheres));
+  }
 }
 
 //------------------------------------------------------------------------------

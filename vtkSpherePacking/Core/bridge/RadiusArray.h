@@ -2,6 +2,8 @@
 #ifndef RadiusArray_h
 #define RadiusArray_h
 
+#include "vtkType.h"
+
 #include <string>
 
 class vtkDataArray;
@@ -15,6 +17,9 @@ vtkDataArray* FindRadii(vtkPolyData* packing, const char* name, std::string& mes
 
 /// The same, with a std::invalid_argument for the sentence.
 vtkDataArray* RadiiOf(vtkPolyData* packing, const std::string& name);
+
+/// Throws a std::invalid_argument for more spheres than can be numbered.
+void CheckCount(vtkIdType spheres);
 
 /// The bounds of the spheres, see vtkSpherePackingInput::ComputeBounds().
 void ComputeBounds(vtkPolyData* packing, vtkDataArray* radii, double bounds[6]);
