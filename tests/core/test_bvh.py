@@ -291,7 +291,7 @@ def test_refusals():
     assert "point array 'radius'" in refusal(bvh_of(), nameless)
     assert "at point 0" in refusal(bvh_of(), packing_of(np.zeros((1, 3)), [-1.0]))
     far = packing_of([[-1e308, 0, 0], [1e308, 0, 0]], [1.0, 1.0])
-    assert "reach from -1e+308 to 1e+308 along x" in refusal(bvh_of(), far)
+    assert "packing: found spheres from -1e+308 to 1e+308 along x" in refusal(bvh_of(), far)
 
 
 def test_more_boxes_than_fit_are_refused():

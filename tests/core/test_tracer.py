@@ -387,7 +387,7 @@ BAD = {
     "packing: found spheres over a length of 200000 at coordinates up to 1e+31": lambda t, p: (
         t.SetInputData(packing_of(np.array([[1e31, 0, 0]]), [1e5]))
     ),
-    "the spheres reach from -1.5e+308 to 1.5e+308 along x": lambda t, p: t.SetInputData(
+    "packing: found spheres from -1.5e+308 to 1.5e+308 along x": lambda t, p: t.SetInputData(
         packing_of(np.array([[-1.5e308, 0, 0], [1.5e308, 0, 0]]), [1.0, 1.0])
     ),
     "the packing has no point array 'width'": lambda t, p: t.SetRadiusArrayName("width"),

@@ -18,8 +18,9 @@ void CheckFinite(const double (&bounds)[6])
     if (!std::isfinite(bounds[2 * axis + 1] - bounds[2 * axis]))
     {
       std::ostringstream message;
-      message << "the spheres reach from " << bounds[2 * axis] << " to " << bounds[2 * axis + 1]
-              << " along " << "xyz"[axis] << ", expected less than double precision can hold";
+      message << "packing: found spheres from " << bounds[2 * axis] << " to "
+              << bounds[2 * axis + 1] << " along " << "xyz"[axis]
+              << ", expected a length that double precision can hold";
       throw std::invalid_argument(message.str());
     }
   }

@@ -135,8 +135,8 @@ vtkDataArray* FindRadii(vtkPolyData* packing, const char* name, std::string& mes
   vtkDataArray* radii = vtkDataArray::SafeDownCast(found);
   if (!found)
   {
-    text << "the packing has no point array '" << (name ? name : "(null)")
-         << "' to take the radii from";
+    text << "found no point array '" << (name ? name : "(null)")
+         << "', expected one with the radii";
   }
   else if (!radii)
   {
