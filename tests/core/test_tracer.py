@@ -390,7 +390,7 @@ BAD = {
     "packing: found spheres from -1.5e+308 to 1.5e+308 along x": lambda t, p: t.SetInputData(
         packing_of(np.array([[-1.5e308, 0, 0], [1.5e308, 0, 0]]), [1.0, 1.0])
     ),
-    "the packing has no point array 'width'": lambda t, p: t.SetRadiusArrayName("width"),
+    "found no point array 'width'": lambda t, p: t.SetRadiusArrayName("width"),
 }
 
 
