@@ -43,7 +43,7 @@ def test_first_bad_radius_is_named_whatever_the_threads(count, rng):
 
 @pytest.mark.parametrize("axis", [0, 1, 2])
 @pytest.mark.parametrize("value", [np.nan, np.inf, -np.inf])
-def test_first_bad_centre_is_named(axis, value):
+def test_first_bad_center_is_named(axis, value):
     centers = np.zeros((10, 3))
     centers[7, axis] = value
     message = refusal(packing_of(centers, np.ones(10)))

@@ -202,7 +202,7 @@ def test_blend_is_the_weighted_mean(rng):
 
 
 @pytest.mark.parametrize("kernel", KERNELS)
-def test_grid_point_on_a_centre(kernel):
+def test_grid_point_on_a_center(kernel):
     """Finite there, and what it is at r / 1024."""
     packing = packing_of([[0, 0, 0], [0.5, 0, 0]], [0.3, 0.1])
     image = field_of(packing, kernel, (5, 5, 5), bounds=(-1, 1) * 3)

@@ -277,7 +277,7 @@ def test_a_noise_target(rng):
     same(run(steps)[0], arrays)
 
 
-def test_colours(rng):
+def test_colors(rng):
     tracer = tracer_of(scene(rng), 16)
     tracer.SetExposure(-1.0)
     arrays, _ = run(tracer)

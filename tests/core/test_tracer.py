@@ -139,7 +139,7 @@ def test_pictures_of_hard_cases(rng, case):
 
 
 @pytest.mark.parametrize("structure", STRUCTURES)
-def test_centres_at_1e7(rng, structure):
+def test_centers_at_1e7(rng, structure):
     centers, radii = far_scene(rng)
     camera = camera_of((1e7 + 3, 1e7 + 3, 1e7 + 3), (1e7, 1e7, 1e7))
     found = picture(tracer_of(packing_of(centers, radii), camera, structure=structure))
@@ -208,7 +208,7 @@ def test_samples_are_those_of_a_larger_picture(rng, view, samples):
         np.testing.assert_array_equal(picture(few)[name], picture(one)[name])
 
 
-def test_colours_of_scalars_and_light(rng):
+def test_colors_of_scalars_and_light(rng):
     centers, radii = random_scene(rng)
     packing = packing_of(centers, radii)
     packing.GetPointData().AddArray(pv.convert_array(np.arange(500.0), name="order"))
@@ -226,7 +226,7 @@ def test_colours_of_scalars_and_light(rng):
     assert (found["color"][hit, 3] == 255).all()
 
 
-def test_one_colour_and_random_ones(rng):
+def test_one_color_and_random_ones(rng):
     packing = packing_of(*random_scene(rng))
     tracer = tracer_of(packing, VIEWS["perspective"])
     tracer.SetColor(1.0, 0.0, 0.5)

@@ -204,7 +204,7 @@ def test_the_suns_shadow():
     assert ((image["radiance"][between, 0] > 0) & (image["radiance"][between, 0] < 0.99)).all()
 
 
-def test_colour_bleeds():
+def test_color_bleeds():
     """Beside a red sphere a white one turns red, more with more bounces."""
     packing = packing_of([[0, 0, 0], [2, 0, 0]], 1.0)
     packing["paint_rgb"] = np.array([[255, 255, 255], [255, 0, 0]], np.uint8)

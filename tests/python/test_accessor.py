@@ -11,7 +11,7 @@ if pv.version_info < (0, 49):
     pytestmark = pytest.mark.allow_leaks
 
 
-def test_count_centres_radii():
+def test_count_centers_radii():
     mesh = packing()
     assert mesh.packing.n_spheres == 3
     assert np.shares_memory(mesh.packing.centers, mesh.points)

@@ -220,7 +220,7 @@ def test_render_wide_radii_on_a_logarithmic_scale(tmp_path):
     assert linear[0] < 60
 
 
-def test_equal_radii_are_not_coloured_by(tmp_path):
+def test_equal_radii_are_not_colored_by(tmp_path):
     file = tmp_path / "equal.spheres"
     file.write_text("0 0 0 1\n3 0 0 1\n")
     options = ("--size", 100, 100)

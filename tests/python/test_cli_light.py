@@ -54,7 +54,7 @@ def test_backgrounds(draw):
     assert clear[..., 3].max() == 255
 
 
-def test_radii_colour_the_spheres(file):
+def test_radii_color_the_spheres(file):
     output = file.with_suffix(".png")
     options = ["--size", "60", "40", "--technique", "pathtrace", "--sky", "0.5", "--cmap", "magma"]
     assert main(["render", str(file), "-o", str(output), *options]) == 0

@@ -189,7 +189,7 @@ def test_no_spheres_have_no_surface():
 # Colours -------------------------------------------------------------------------------------
 
 
-def test_blend_is_between_the_colours():
+def test_blend_is_between_the_colors():
     pair = pv.PolyData([[-1.0, 0, 0], [1.0, 0, 0]])
     pair["radius"] = [1.0, 1.0]
     pair["paint_rgb"] = np.array([[255, 0, 0], [0, 0, 255]], np.uint8)
@@ -224,7 +224,7 @@ def test_strongest_is_somebody_on_a_coarse_grid():
     assert (surface["sphere_id"] == (surface.points[:, 0] > 25)).all()
 
 
-def test_colours_are_those_of_the_plotter(packing):
+def test_colors_are_those_of_the_plotter(packing):
     one = packing.extract_points([0], include_cells=False)
     one = pv.PolyData(one.points, force_float=False)
     one["radius"] = [0.5]
@@ -235,7 +235,7 @@ def test_colours_are_those_of_the_plotter(packing):
 
 
 @pytest.mark.parametrize("kwargs", [{"coloring": None}, {"color": "red"}])
-def test_without_colours(packing, kwargs):
+def test_without_colors(packing, kwargs):
     surface = packing.packing.metaballs(10.0, dimensions=24, **kwargs)
     assert "color" not in surface.point_data
 

@@ -88,7 +88,7 @@ def test_an_image_of_a_sky_is_kept(spheres):
     assert image.field_data["traced_samples"][0] == 5 * SIZE[0] * SIZE[1]
 
 
-def test_colours(spheres):
+def test_colors(spheres):
     albedo = np.array(
         PackingAccessor(spheres).path_trace(VIEW, SIZE, color="#ff8000", albedo=0.5)["albedo"]
     )
@@ -264,7 +264,7 @@ def test_exr_holds_all_of_it(spheres, tmp_path):
     assert spec.getattribute("spherepacking:view_angle") == 30.0
 
 
-def test_other_formats_hold_the_colours(spheres, tmp_path):
+def test_other_formats_hold_the_colors(spheres, tmp_path):
     image = spheres.packing.path_trace(VIEW, SIZE, samples=1, sky_visible=False)
     spherepacking.write_render(tmp_path / "a.png", image)
     pixels = spherepacking.read_image(tmp_path / "a.png")

@@ -47,7 +47,7 @@ def test_color_cycler():
         assert scene.packing.add(packing()).prop.color == "lime"
 
 
-def test_scalars_by_name_through_a_colour_map():
+def test_scalars_by_name_through_a_color_map():
     found = drawn_colors(packing(height=[0, 1, 2]), scalars="height", cmap=["red", "lime", "blue"])
     assert close(found, RGB)
 
@@ -100,7 +100,7 @@ def test_nan_opacity(opacity):
     assert close(found[1], (0, 0, 0))
 
 
-def test_log_scale_of_clim_draws_the_others_in_the_lowest_colour():
+def test_log_scale_of_clim_draws_the_others_in_the_lowest_color():
     kwargs = {"scalars": "height", "cmap": ["red", "lime", "blue"]}
     mesh = packing(height=[-1.0, 10.0, 100.0])
     assert close(drawn_colors(mesh, log_scale=True, clim=(1, 100), **kwargs), RGB)
@@ -181,13 +181,13 @@ def test_opacity_of_each_sphere(named, mapped):
     ["linear", [0.0, 1.0], np.linspace(0, 1, 256), np.arange(256, dtype=np.uint8)],
     ids=["name", "short", "full", "bytes"],
 )
-def test_opacity_along_the_colour_map(opacity):
+def test_opacity_along_the_color_map(opacity):
     mesh = packing(height=[0.0, 1.0, 2.0])
     found = drawn_colors(mesh, scalars="height", cmap=["white"] * 256, opacity=opacity)
     assert close(found, through(0.0, 0.5, 1.0), tolerance=3)
 
 
-def test_opacity_along_a_colour_map_of_categories():
+def test_opacity_along_a_color_map_of_categories():
     mesh = packing(kind=["a", "b", "c"])
     found = drawn_colors(mesh, scalars="kind", cmap=["white"] * 3, opacity="linear")
     assert close(found, through(0.0, 0.5, 1.0), tolerance=3)
@@ -248,7 +248,7 @@ def test_homogeneous_user_matrix():
     assert covered == pytest.approx(np.pi * 0.25, rel=0.05)
 
 
-def test_a_mirrored_packing_is_the_packing_of_mirrored_centres(rng):
+def test_a_mirrored_packing_is_the_packing_of_mirrored_centers(rng):
     mesh = pv.PolyData(rng.normal(size=(40, 3)))
     mesh["radius"] = rng.uniform(0.1, 0.6, 40)
     pictures = []
@@ -320,7 +320,7 @@ def test_scalar_bar_args_are_used_and_not_changed():
     assert args == {"title": "Height", "n_labels": 2}
 
 
-def test_camera_fits_the_spheres_not_only_their_centres():
+def test_camera_fits_the_spheres_not_only_their_centers():
     scene = pv.Plotter(off_screen=True, window_size=(SIZE, SIZE))
     scene.packing.add(packing(1), color="white", lighting=False, radius=100.0)
     alpha = scene.screenshot(None, return_img=True, transparent_background=True)[..., 3]
@@ -375,7 +375,7 @@ def test_the_packing_is_not_changed(kwargs):
     assert mesh.active_scalars_name == "height"
 
 
-def test_two_actors_colour_one_packing_differently():
+def test_two_actors_color_one_packing_differently():
     mesh = packing(1, low=[0.0], high=[1.0])
     with plotter() as scene:
         kwargs = {"cmap": ["red", "blue"], "clim": (0, 1), "lighting": False}

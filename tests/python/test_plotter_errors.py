@@ -282,7 +282,7 @@ def test_what_is_no_packing(thing):
         scene.packing.add(thing)
 
 
-def test_a_centre_that_is_not_finite():
+def test_a_center_that_is_not_finite():
     mesh = packing()
     mesh.points[1, 2] = np.nan
     with plotter() as scene, pytest.raises(ValueError, match=r"centre of point 1 .*nan"):

@@ -232,7 +232,7 @@ SCALARS = {
 
 @pytest.mark.parametrize("by_value", [False, True])
 @pytest.mark.parametrize("name", SCALARS)
-def test_colours_are_those_of_the_plotter(spheres, name, by_value):
+def test_colors_are_those_of_the_plotter(spheres, name, by_value):
     values = SCALARS[name](np.arange(spheres.n_points))
     kwargs = {"rgb": name.endswith(("_rgb", "_rgba")), "scalars": values if by_value else name}
     spheres[name] = values

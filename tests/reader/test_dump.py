@@ -44,12 +44,12 @@ def test_diameters_are_halved(read_text):
     assert packing.points.tolist() == [[4, 2, 1]]
 
 
-def test_unwrapped_centres(read_text):
+def test_unwrapped_centers(read_text):
     packing = read_text(step(0, "xu yu zu radius", ["11 22 33 1"]), "p.dump")
     assert packing.points.tolist() == [[11, 22, 33]]
 
 
-def test_plain_centres_come_before_scaled_ones(read_text):
+def test_plain_centers_come_before_scaled_ones(read_text):
     packing = read_text(step(0, "xs ys zs radius x y z", ["0.5 0.5 0.5 1 7 8 9"]), "p.dump")
     assert packing.points.tolist() == [[7, 8, 9]]
     assert packing["xs"].tolist() == [0.5]
@@ -57,14 +57,14 @@ def test_plain_centres_come_before_scaled_ones(read_text):
 
 @pytest.mark.parametrize("single", [False, True])
 @pytest.mark.parametrize("family", ["xs ys zs", "xsu ysu zsu"])
-def test_scaled_centres_in_a_straight_box(read_text, family, single):
+def test_scaled_centers_in_a_straight_box(read_text, family, single):
     text = step(0, f"id {family} radius", ["1 0.25 0.5 0.1 2"])
     packing = read_text(text, "p.dump", single=single)
     expected = np.array([0.25 * 10, 0.5 * 20, -5 + 0.1 * 10])
     assert packing.points.tolist() == [expected.astype(np.float32 if single else float).tolist()]
 
 
-def test_scaled_centres_in_a_tilted_box(read_text):
+def test_scaled_centers_in_a_tilted_box(read_text):
     # By the LAMMPS manual, "Triclinic simulation boxes": bounds hold the corners of the box.
     low, high, xy, xz, yz = np.array([0.0, 1, -1]), np.array([10.0, 21, 4]), 3.0, -2.0, 1.5
     size = high - low
@@ -84,7 +84,7 @@ def test_scaled_centres_in_a_tilted_box(read_text):
     np.testing.assert_allclose(read_text(text, "p.dump").points[0], expected, rtol=1e-15)
 
 
-def test_scaled_centres_in_a_general_box(read_text):
+def test_scaled_centers_in_a_general_box(read_text):
     box = ["1 2 3 10", "-1 1 0 20", "0 1 4 30"]
     text = step(0, "xs ys zs radius", ["0.5 0.25 2 1"], bounds="abc origin pp pp pp", box=box)
     edges = np.array([[1, 2, 3], [-1, 1, 0], [0, 1, 4]])

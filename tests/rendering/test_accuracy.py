@@ -100,7 +100,7 @@ def test_window_of_size(rng, size):
     ],
     ids=lambda settings: " ".join(settings),
 )
-def test_off_centre_projection(rng, settings):
+def test_off_center_projection(rng, settings):
     camera = Camera(settings=settings)
     check(rng.uniform(-1, 1, (200, 3)), np.full(200, 0.2), camera)
 

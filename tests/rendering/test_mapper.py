@@ -214,7 +214,7 @@ def test_rotation_translation_and_scale_of_the_actor():
 # --- colours and lights ---------------------------------------------------------------------------
 
 
-def test_scalars_through_a_colour_map():
+def test_scalars_through_a_color_map():
     packing = make_packing(ROW, [1.0, 1.0, 1.0])
     packing.point_data["height"] = [0.0, 0.5, 1.0]
     with show(packing, FRONT, SIZE, scalars="height", cmap="viridis") as (plotter, _):
@@ -226,7 +226,7 @@ def test_scalars_through_a_colour_map():
 
 
 @pytest.mark.parametrize("components", [3, 4])
-def test_direct_colours(components):
+def test_direct_colors(components):
     packing = make_packing(ROW, [1.0, 1.0, 1.0])
     colors = np.array([[255, 0, 10, 255], [0, 200, 30, 255], [7, 8, 250, 255]], dtype=np.uint8)
     with show(packing, FRONT, SIZE, scalars=colors[:, :components], rgb=True) as (plotter, _):
@@ -234,7 +234,7 @@ def test_direct_colours(components):
     np.testing.assert_array_equal(seen, colors[:, :3])
 
 
-def test_colours_change_without_a_new_actor():
+def test_colors_change_without_a_new_actor():
     packing = make_packing(ROW, [1.0, 1.0, 1.0])
     packing.point_data["height"] = [0.0, 0.5, 1.0]
     with show(packing, FRONT, SIZE, scalars="height", cmap="gray") as (plotter, _):
