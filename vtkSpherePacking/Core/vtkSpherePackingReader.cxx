@@ -43,6 +43,7 @@ vtkSpherePackingReader::vtkSpherePackingReader()
 vtkSpherePackingReader::~vtkSpherePackingReader()
 {
   this->SetFileName(nullptr);
+  this->SetColumns(nullptr);
 }
 
 //------------------------------------------------------------------------------
@@ -53,6 +54,8 @@ void vtkSpherePackingReader::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Format: " << this->Format << "\n";
   os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
   os << indent << "ChunkSize: " << this->ChunkSize << "\n";
+  os << indent << "Columns: " << (this->Columns ? this->Columns : "(none)") << "\n";
+  os << indent << "RadiusOptional: " << this->RadiusOptional << "\n";
   os << indent << "ErrorMessage: " << this->ErrorMessage << "\n";
 }
 
@@ -123,7 +126,8 @@ void vtkSpherePackingReader::ReadFile(vtkInformation* outInfo, vtkPolyData* outp
       vtkErrorCode::NoFileNameError, "FileName: found none, expected the name of a packing file");
   }
   const std::string file = this->FileName;
-  const ReadOptions options{ this->OutputPointsPrecision == SINGLE_PRECISION, this->ChunkSize };
+  const ReadOptions options{ this->OutputPointsPrecision == SINGLE_PRECISION, this->ChunkSize,
+    this->Columns ? this->Columns : "", this->RadiusOptional };
   spherepacking::Progress progress(this);
   auto format = static_cast<spherepacking::Format>(this->Format);
   if (format == Format::Auto)

@@ -104,6 +104,27 @@ public:
   vtkGetMacro(ChunkSize, vtkIdType);
   ///@}
 
+  ///@{
+  /**
+   * The names of the columns of a table in text, separated by blanks, such as "id x y z r". Then
+   * neither a header nor comments decide, and every row must have as many columns. Default null or
+   * empty: they are found. Has no effect on other formats. Without x, y and z the update is an
+   * error.
+   */
+  vtkSetStringMacro(Columns);
+  vtkGetStringMacro(Columns);
+  ///@}
+
+  ///@{
+  /**
+   * Whether a file without radii is read, into an output without the array `radius`. Default off:
+   * such a file is an error.
+   */
+  vtkSetMacro(RadiusOptional, bool);
+  vtkGetMacro(RadiusOptional, bool);
+  vtkBooleanMacro(RadiusOptional, bool);
+  ///@}
+
   /**
    * The error of the last update, in one sentence; empty when there was none.
    */
@@ -129,6 +150,8 @@ private:
   int Format = AUTO;
   int OutputPointsPrecision = DOUBLE_PRECISION;
   vtkIdType ChunkSize = 1 << 18;
+  char* Columns = nullptr;
+  bool RadiusOptional = false;
   std::string ErrorMessage;
 
   class Internals;

@@ -2,16 +2,20 @@
 #include "bridge/PackingArrays.h"
 
 #include "base/HugePages.h"
+#include "bridge/VectorArrays.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
+#include "vtkStringArray.h"
 #include "vtkTypeInt32Array.h"
 #include "vtkTypeInt64Array.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <limits>
@@ -53,14 +57,34 @@ void SetVertices(vtkCellArray* vertices, vtkIdType count)
     { std::iota(values + first, values + last, static_cast<ValueT>(first)); });
   vertices->SetData(1, indices);
 }
+
+void AddCell(vtkFieldData* data, const SimulationCell& cell)
+{
+  vtkNew<vtkDoubleArray> vectors;
+  vectors->SetName("cell_vectors");
+  vectors->SetNumberOfComponents(3);
+  vtkNew<vtkDoubleArray> origin;
+  origin->SetName("cell_origin");
+  vtkNew<vtkUnsignedCharArray> periodic;
+  periodic->SetName("cell_periodic");
+  for (int i = 0; i < 3; ++i)
+  {
+    vectors->InsertNextTuple(cell.Vectors[i]);
+    origin->InsertNextValue(cell.Origin[i]);
+    periodic->InsertNextValue(cell.Periodic[i]);
+  }
+  data->AddArray(vectors);
+  data->AddArray(origin);
+  data->AddArray(periodic);
+}
 }
 
 //------------------------------------------------------------------------------
-PackingArrays::PackingArrays(vtkIdType count, bool single)
+PackingArrays::PackingArrays(vtkIdType count, bool single, bool hasRadii)
   : Count(count)
   , Single(single)
   , CenterArray(NewArray(single, "Points", 3, count))
-  , RadiusArray(NewArray(single, "radius", 1, count))
+  , RadiusArray(hasRadii ? NewArray(single, "radius", 1, count) : nullptr)
 {
 }
 
@@ -77,6 +101,16 @@ void PackingArrays::RemoveExtra(const double* values)
   const auto found = std::find_if(this->Extras.begin(), this->Extras.end(),
     [values](vtkDataArray* array) { return array->GetVoidPointer(0) == values; });
   this->Extras.erase(found);
+}
+
+//------------------------------------------------------------------------------
+std::string* PackingArrays::AddText(const std::string& name)
+{
+  const auto array = vtkSmartPointer<vtkStringArray>::New();
+  array->SetName(name.c_str());
+  array->SetNumberOfValues(this->Count);
+  this->Texts.push_back(array);
+  return array->GetPointer(0);
 }
 
 //------------------------------------------------------------------------------
@@ -99,10 +133,27 @@ void PackingArrays::MoveTo(vtkPolyData* output)
   }
   output->SetVerts(vertices);
 
-  output->GetPointData()->SetScalars(this->RadiusArray);
+  vtkPointData* data = output->GetPointData();
+  data->SetScalars(this->RadiusArray);
   for (const auto& extra : this->Extras)
   {
-    output->GetPointData()->AddArray(extra);
+    data->AddArray(extra);
+  }
+  for (const auto& text : this->Texts)
+  {
+    data->AddArray(text);
+  }
+  AddVectors(data);
+  if (this->Cell)
+  {
+    AddCell(output->GetFieldData(), *this->Cell);
+  }
+  if (this->Time)
+  {
+    vtkNew<vtkDoubleArray> time;
+    time->SetName("TimeValue");
+    time->InsertNextValue(*this->Time);
+    output->GetFieldData()->AddArray(time);
   }
 }
 }

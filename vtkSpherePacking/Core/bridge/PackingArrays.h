@@ -5,27 +5,40 @@
 #include "vtkAOSDataArrayTemplate.h"
 #include "vtkSmartPointer.h"
 
+#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
 class vtkDataArray;
 class vtkPolyData;
+class vtkStringArray;
 
 namespace spherepacking
 {
+/// The simulation cell of a packing: the parallelepiped of three vectors from its origin.
+struct SimulationCell
+{
+  double Origin[3];
+  double Vectors[3][3]; ///< a, b, c
+  std::array<bool, 3> Periodic{ true, true, true };
+};
+
 /**
  * The arrays of a packing while they are filled. Centres and radii have the same precision; further
- * arrays are double, since single precision would round ids beyond 2^24.
+ * arrays of numbers are double, since single precision would round ids beyond 2^24.
  */
 class PackingArrays
 {
 public:
-  PackingArrays(vtkIdType count, bool single);
+  /// Without radii the packing gets no array of them.
+  PackingArrays(vtkIdType count, bool single, bool hasRadii = true);
 
   vtkIdType GetCount() const { return this->Count; }
   bool IsSingle() const { return this->Single; }
 
-  /// Centres, x y z x y z ..., and radii; `Real` must be float if and only if IsSingle().
+  /// Centres, x y z x y z ..., and radii, null without; `Real` must be float if and only if
+  /// IsSingle().
   template <typename Real>
   Real* Centers() const
   {
@@ -34,7 +47,7 @@ public:
   template <typename Real>
   Real* Radii() const
   {
-    return vtkAOSDataArrayTemplate<Real>::FastDownCast(this->RadiusArray)->GetPointer(0);
+    return !this->RadiusArray ? nullptr : vtkAOSDataArrayTemplate<Real>::FastDownCast(this->RadiusArray)->GetPointer(0);
   }
 
   /// Adds a further array, uninitialised, and returns its values.
@@ -46,15 +59,28 @@ public:
   /// Adds a further array that is filled already.
   void AddArray(vtkSmartPointer<vtkDataArray> array) { this->Extras.push_back(std::move(array)); }
 
-  /// Moves all arrays to `output`, with a vertex per sphere.
+  /// Adds a further array of text, and returns its values, which are empty.
+  std::string* AddText(const std::string& name);
+
+  /// The simulation cell becomes the field arrays `cell_vectors` (3 tuples a, b, c), `cell_origin`
+  /// (3 values) and `cell_periodic` (3 bytes, 1 for periodic); the time `TimeValue` (1 value), the
+  /// name that VTK's own readers give it.
+  void SetCell(const SimulationCell& cell) { this->Cell = cell; }
+  void SetTime(double time) { this->Time = time; }
+
+  /// Moves all arrays to `output`, with a vertex per sphere. Components that stand in arrays of
+  /// their own, such as vx, vy, vz, also become one array of vectors, see AddVectors().
   void MoveTo(vtkPolyData* output);
 
 private:
   vtkIdType Count;
   bool Single;
   vtkSmartPointer<vtkDataArray> CenterArray;
-  vtkSmartPointer<vtkDataArray> RadiusArray;
+  vtkSmartPointer<vtkDataArray> RadiusArray; // null without radii
   std::vector<vtkSmartPointer<vtkDataArray>> Extras;
+  std::vector<vtkSmartPointer<vtkStringArray>> Texts;
+  std::optional<SimulationCell> Cell;
+  std::optional<double> Time;
 };
 }
 

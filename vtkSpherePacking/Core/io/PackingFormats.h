@@ -28,8 +28,10 @@ enum class Format
 /// How to read a file.
 struct ReadOptions
 {
-  bool Single = false;     ///< precision of centres and radii
-  vtkIdType ChunkSize = 0; ///< bytes of text that a thread parses at a time, at least
+  bool Single = false;         ///< precision of centres and radii
+  vtkIdType ChunkSize = 0;     ///< bytes of text that a thread parses at a time, at least
+  std::string Columns;         ///< names of the columns of a table, or empty to find them
+  bool RadiusOptional = false; ///< whether a file without radii is read, without an array of them
 };
 
 /// The format that the extension of a file stands for; Auto if that is none or several.

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "bridge/VectorArrays.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkSMPTools.h"
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace spherepacking
+{
+namespace
+{
+struct Vector
+{
+  std::string Name;
+  std::array<std::string, 3> Components;
+};
+
+// The words of LAMMPS, LIGGGHTS and other DEM programs for components, and of the trade for the
+// vector.
+std::vector<Vector> KnownVectors()
+{
+  std::vector<Vector> vectors;
+  for (const auto& [stem, name] : std::array<std::array<const char*, 2>, 7>{ { { "v", "velocity" },
+         { "f", "force" }, { "omega", "angular_velocity" }, { "w", "angular_velocity" },
+         { "tq", "torque" }, { "angmom", "angular_momentum" }, { "mu", "dipole" } } })
+  {
+    const std::string s = stem;
+    vectors.push_back({ name, { s + 'x', s + 'y', s + 'z' } });
+  }
+  return vectors;
+}
+
+// NAME of NAME_x, NAME:0 or NAME_0, with the two that follow; an empty name if `first` is no such.
+Vector VectorOf(const std::string& first)
+{
+  for (const char* endings : { "_x_y_z", "_X_Y_Z", ":0:1:2", "_0_1_2" })
+  {
+    const std::string_view ending(endings, 2);
+    if (first.size() > 2 && std::string_view(first).substr(first.size() - 2) == ending)
+    {
+      const std::string name = first.substr(0, first.size() - 2);
+      return { name,
+        { first, name + std::string(endings + 2, 2), name + std::string(endings + 4, 2) } };
+    }
+  }
+  return {};
+}
+
+void AddVector(vtkPointData* data, const Vector& vector)
+{
+  std::array<const double*, 3> from;
+  vtkIdType count = 0;
+  for (int i = 0; i < 3; ++i)
+  {
+    vtkDoubleArray* const part =
+      vtkDoubleArray::FastDownCast(data->GetAbstractArray(vector.Components[i].c_str()));
+    if (!part || part->GetNumberOfComponents() != 1)
+    {
+      return;
+    }
+    from[i] = part->GetPointer(0);
+    count = part->GetNumberOfTuples();
+  }
+  if (data->HasArray(vector.Name.c_str()))
+  {
+    return;
+  }
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(vector.Name.c_str());
+  array->SetNumberOfComponents(3);
+  array->SetNumberOfTuples(count);
+  double* const to = array->GetPointer(0);
+  vtkSMPTools::For(0, count, vtkSMPTools::THRESHOLD,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType i = first; i < last; ++i)
+      {
+        for (int c = 0; c < 3; ++c)
+        {
+          to[3 * i + c] = from[c][i];
+        }
+      }
+    });
+  data->AddArray(array);
+}
+}
+
+//------------------------------------------------------------------------------
+void AddVectors(vtkPointData* data)
+{
+  std::vector<Vector> vectors = KnownVectors();
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    const char* const name = data->GetAbstractArray(i)->GetName();
+    if (const Vector vector = VectorOf(name ? name : ""); !vector.Name.empty())
+    {
+      vectors.push_back(vector);
+    }
+  }
+  for (const Vector& vector : vectors)
+  {
+    AddVector(data, vector);
+  }
+}
+}

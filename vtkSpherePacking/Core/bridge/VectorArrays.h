@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef VectorArrays_h
+#define VectorArrays_h
+
+class vtkPointData;
+
+namespace spherepacking
+{
+/**
+ * Adds an array of vectors for every three arrays of numbers that are its components: `velocity`
+ * of vx, vy, vz, and so on by the words of DEM programs and LAMMPS; NAME of NAME_x, NAME_y, NAME_z,
+ * of NAME:0, NAME:1, NAME:2, and of NAME_0, NAME_1, NAME_2 (which ParaView's tables have). The
+ * components stay. A name that is taken is left alone.
+ */
+void AddVectors(vtkPointData* data);
+}
+
+#endif
