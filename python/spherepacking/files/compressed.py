@@ -95,6 +95,8 @@ class Uncompressed:
     ----------
     path : pathlib.Path
         The uncompressed file.
+    remove : weakref.finalize
+        Call it to remove the file before the object goes away.
 
     Raises
     ------
@@ -108,7 +110,7 @@ class Uncompressed:
         pieces = _PIECES[compression]
         folder = tempfile.mkdtemp(prefix="spherepacking-")
         # Also at the end of the process.
-        self._remove = weakref.finalize(self, shutil.rmtree, folder, ignore_errors=True)
+        self.remove = weakref.finalize(self, shutil.rmtree, folder, ignore_errors=True)
         self._source = path
         self.path = Path(folder) / inner_name(path)
         try:
@@ -119,7 +121,7 @@ class Uncompressed:
             if self.path.suffix.lower() == ".xyzd" and beside.is_file():
                 shutil.copy(beside, folder)
         except BaseException:
-            self._remove()
+            self.remove()
             raise
 
     @contextmanager
