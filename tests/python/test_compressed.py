@@ -188,11 +188,11 @@ def test_a_bomb_stops_where_there_is_no_room(tmp_path, temporary, monkeypatch, e
     assert max(largest) <= 16 << 20
 
 
+@pytest.mark.skipif(sys.version_info >= (3, 14), reason="Python 3.14 has it")
 def test_a_missing_library_is_named(tmp_path, monkeypatch):
     path = tmp_path / "a.spheres.zst"
     path.write_bytes(zstandard(TEXT))
     monkeypatch.setitem(sys.modules, "zstandard", None)
-    monkeypatch.setitem(sys.modules, "compression", None)
     with pytest.raises(ImportError, match=r"a\.spheres\.zst: .*'spherepacking\[formats\]'"):
         spherepacking.read(path)
 
