@@ -216,8 +216,6 @@ def test_a_range_of_colours_for_all(run, tmp_path):
     assert brightest[1] / brightest[0] == pytest.approx(0.75, abs=0.06)
     assert brightest[2] / brightest[0] == pytest.approx(0.625, abs=0.06)
     assert brightest[3] / brightest[0] == pytest.approx(0.5, abs=0.06)
-    # Alone, the sphere of heat 5 is as black as the background.
-    assert (alone.max(axis=-1) > 0).sum() < 0.8 * (found[0].max(axis=-1) > 0).sum()
 
 
 def test_radii_have_one_range_too(run, tmp_path):
