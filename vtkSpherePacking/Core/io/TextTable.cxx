@@ -67,8 +67,9 @@ void ParseChunk(
   vtkIdType row = chunk.FirstRow;
   for (const char* p = chunk.Begin; p != chunk.End;)
   {
+    p = parser.ParsePlainRows(p, chunk.End, row);
     const char* end = p;
-    if (IsRow(layout.Rows, p, chunk.End))
+    if (p != chunk.End && IsRow(layout.Rows, p, chunk.End))
     {
       const bool atom = layout.Rows == RowKind::Atom;
       const char* first = atom ? FirstField(layout, p, find(p)) : p;
