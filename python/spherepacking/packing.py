@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 import pyvista as pv
 
-from .checks import per_sphere, storable
+from .checks import kind_of, per_sphere, storable
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -19,7 +19,7 @@ def packing_of(packing: object) -> pv.PolyData:
     wrapped = pv.wrap(packing) if hasattr(packing, "IsA") else packing
     if not isinstance(wrapped, pv.PolyData):
         raise TypeError(
-            f"packing: found a {type(packing).__name__}, expected a PolyData whose points are the "
+            f"packing: found {kind_of(packing)}, expected a PolyData whose points are the "
             "centres of the spheres"
         )
     return wrapped

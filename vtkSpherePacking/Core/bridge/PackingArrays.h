@@ -47,7 +47,9 @@ public:
   template <typename Real>
   Real* Radii() const
   {
-    return !this->RadiusArray ? nullptr : vtkAOSDataArrayTemplate<Real>::FastDownCast(this->RadiusArray)->GetPointer(0);
+    return !this->RadiusArray
+      ? nullptr
+      : vtkAOSDataArrayTemplate<Real>::FastDownCast(this->RadiusArray)->GetPointer(0);
   }
 
   /// Adds a further array, uninitialised, and returns its values.
