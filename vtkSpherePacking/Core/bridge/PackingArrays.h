@@ -55,9 +55,6 @@ public:
   /// Adds a further array, uninitialised, and returns its values.
   double* AddExtra(const std::string& name);
 
-  /// Removes the further array with these values.
-  void RemoveExtra(const double* values);
-
   /// Adds a further array that is filled already.
   void AddArray(vtkSmartPointer<vtkDataArray> array) { this->Extras.push_back(std::move(array)); }
 
@@ -71,7 +68,8 @@ public:
   void SetTime(double time) { this->Time = time; }
 
   /// Moves all arrays to `output`, with a vertex per sphere. Components that stand in arrays of
-  /// their own, such as vx, vy, vz, also become one array of vectors, see AddVectors().
+  /// their own, such as vx, vy, vz or R, G, B, also become one array, see AddVectors() and
+  /// AddColors().
   void MoveTo(vtkPolyData* output);
 
 private:
