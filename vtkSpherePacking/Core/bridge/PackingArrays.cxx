@@ -96,6 +96,16 @@ double* PackingArrays::AddExtra(const std::string& name)
 }
 
 //------------------------------------------------------------------------------
+const double* PackingArrays::FindExtra(const std::string& name) const
+{
+  const auto found = std::find_if(this->Extras.begin(), this->Extras.end(),
+    [&name](vtkDataArray* array) { return array->GetName() == name; });
+  vtkDoubleArray* const array =
+    found == this->Extras.end() ? nullptr : vtkDoubleArray::FastDownCast(*found);
+  return array ? array->GetPointer(0) : nullptr;
+}
+
+//------------------------------------------------------------------------------
 void PackingArrays::RemoveExtra(const double* values)
 {
   const auto found = std::find_if(this->Extras.begin(), this->Extras.end(),

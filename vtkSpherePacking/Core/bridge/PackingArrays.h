@@ -47,11 +47,16 @@ public:
   template <typename Real>
   Real* Radii() const
   {
-    return !this->RadiusArray ? nullptr : vtkAOSDataArrayTemplate<Real>::FastDownCast(this->RadiusArray)->GetPointer(0);
+    return !this->RadiusArray
+      ? nullptr
+      : vtkAOSDataArrayTemplate<Real>::FastDownCast(this->RadiusArray)->GetPointer(0);
   }
 
   /// Adds a further array, uninitialised, and returns its values.
   double* AddExtra(const std::string& name);
+
+  /// The values of the further array of numbers of that name; null without one.
+  const double* FindExtra(const std::string& name) const;
 
   /// Removes the further array with these values.
   void RemoveExtra(const double* values);

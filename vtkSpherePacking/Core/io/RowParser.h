@@ -68,7 +68,7 @@ public:
       return end;
     }
     const int count = static_cast<int>(this->Roles.size());
-    Coordinate center[3];
+    Coordinate center[3] = {}; // two-dimensional rows have no z
     p = this->Between.SkipBlanks(p);
     for (int column = 0; column < count; ++column)
     {
@@ -227,9 +227,9 @@ private:
     {
       if constexpr (Scaled)
       {
-        const BoxFrame& box = *this->Layout.Box;
-        to[axis] = static_cast<Real>(box.Origin[axis] + center[0] * box.Edges[0][axis] +
-          center[1] * box.Edges[1][axis] + center[2] * box.Edges[2][axis]);
+        const SimulationCell& box = *this->Layout.Box;
+        to[axis] = static_cast<Real>(box.Origin[axis] + center[0] * box.Vectors[0][axis] +
+          center[1] * box.Vectors[1][axis] + center[2] * box.Vectors[2][axis]);
         if (!std::isfinite(to[axis]))
         {
           const auto column =

@@ -51,7 +51,7 @@ std::string ArrayName(std::string_view name)
 
 //------------------------------------------------------------------------------
 std::optional<std::vector<Column>> ColumnsFromNames(
-  const std::vector<std::string_view>& names, std::string& complaint)
+  const std::vector<std::string_view>& names, std::string& complaint, Radii radii)
 {
   std::vector<Column> columns;
   std::array<int, 5> count{};
@@ -66,7 +66,7 @@ std::optional<std::vector<Column>> ColumnsFromNames(
   }
   const auto has = [&](ColumnRole role) { return count[static_cast<int>(role)] > 0; };
   if (!has(ColumnRole::X) || !has(ColumnRole::Y) || !has(ColumnRole::Z) ||
-    !(has(ColumnRole::Radius) || has(ColumnRole::Diameter)))
+    !(radii == Radii::Optional || has(ColumnRole::Radius) || has(ColumnRole::Diameter)))
   {
     return std::nullopt;
   }
@@ -98,6 +98,13 @@ std::optional<std::vector<Column>> ColumnsFromNames(
 }
 
 //------------------------------------------------------------------------------
+bool HasRadius(const std::vector<Column>& columns)
+{
+  return std::any_of(columns.begin(), columns.end(), [](const Column& column)
+    { return column.Role == ColumnRole::Radius || column.Role == ColumnRole::Diameter; });
+}
+
+//------------------------------------------------------------------------------
 bool IsNumber(std::string_view field)
 {
   double value;
@@ -116,6 +123,22 @@ void MarkTextColumns(TableLayout& layout, const char* p)
     {
       column.Role = ColumnRole::Text;
     }
+  }
+}
+
+//------------------------------------------------------------------------------
+void MarkTextByFirstRow(TableLayout& layout, const TextRange& rows)
+{
+  LineFinder find(rows.End);
+  for (const char* p = rows.Begin; p != rows.End;)
+  {
+    const char* end = find(p);
+    if (IsRow(layout.Rows, p, end))
+    {
+      MarkTextColumns(layout, p);
+      return;
+    }
+    p = SkipLineEnd(end, rows.End);
   }
 }
 

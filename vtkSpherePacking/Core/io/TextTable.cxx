@@ -179,10 +179,39 @@ void ParseInto(PackingArrays& arrays, const char* textEnd, const TableLayout& la
 }
 
 //------------------------------------------------------------------------------
+void CheckCount(
+  vtkIdType count, const std::string& things, vtkIdType line, const std::vector<TextChunk>& chunks)
+{
+  if (const vtkIdType rows = CountRows(chunks); rows != count)
+  {
+    throw LineError(line,
+      "found " + std::to_string(count) + " as the number of " + things + ", but " +
+        std::to_string(rows) + " lines of " + things + " follow, expected as many");
+  }
+}
+
+//------------------------------------------------------------------------------
+void CheckNotCut(const TextRange& rows)
+{
+  const char* last = rows.End;
+  if (last == rows.Begin || IsLineEnd(last[-1]))
+  {
+    return;
+  }
+  while (last != rows.Begin && !IsLineEnd(last[-1]))
+  {
+    --last;
+  }
+  throw LineError(rows.FirstLine + CountLineEnds(rows.Begin, last),
+    "found the end of the file within the row " + Quote(last, rows.End) +
+      ", expected a line end after every row");
+}
+
+//------------------------------------------------------------------------------
 PackingArrays ParseTable(const char* textEnd, const TableLayout& layout,
   const std::vector<TextChunk>& chunks, bool single, Progress& progress)
 {
-  PackingArrays arrays(CountRows(chunks), single);
+  PackingArrays arrays(CountRows(chunks), single, HasRadius(layout.Columns));
   const bool scaled = layout.Box.has_value();
   const auto parse = single ? (scaled ? ParseInto<float, true> : ParseInto<float, false>)
                             : (scaled ? ParseInto<double, true> : ParseInto<double, false>);
