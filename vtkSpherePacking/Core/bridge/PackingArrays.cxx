@@ -108,6 +108,16 @@ double* PackingArrays::AddExtra(const std::string& name)
 }
 
 //------------------------------------------------------------------------------
+const double* PackingArrays::FindExtra(const std::string& name) const
+{
+  const auto found = std::find_if(this->Extras.begin(), this->Extras.end(),
+    [&name](vtkDataArray* array) { return array->GetName() == name; });
+  vtkDoubleArray* const array =
+    found == this->Extras.end() ? nullptr : vtkDoubleArray::FastDownCast(*found);
+  return array ? array->GetPointer(0) : nullptr;
+}
+
+//------------------------------------------------------------------------------
 std::string* PackingArrays::AddText(const std::string& name)
 {
   const auto array = vtkSmartPointer<vtkStringArray>::New();

@@ -56,6 +56,9 @@ public:
   /// Adds a further array, uninitialised, and returns its values.
   double* AddExtra(const std::string& name);
 
+  /// The values of the further array of numbers of that name; null without one.
+  const double* FindExtra(const std::string& name) const;
+
   /// Adds a further array that is filled already.
   void AddArray(vtkSmartPointer<vtkDataArray> array) { this->Extras.push_back(std::move(array)); }
 

@@ -39,8 +39,8 @@ struct RowFault
 /// Where the further columns of a table go. Each has an element per column of the table.
 struct ExtraColumns
 {
-  std::vector<double*> Numbers;     ///< null where the role is not Extra
-  std::vector<std::string*> Texts;  ///< null where the role is not Text
+  std::vector<double*> Numbers;    ///< null where the role is not Extra
+  std::vector<std::string*> Texts; ///< null where the role is not Text
   /// Set if a field of a column whose role is Extra is no number.
   std::unique_ptr<std::atomic<bool>[]> IsText;
 };
@@ -96,7 +96,7 @@ public:
       return end;
     }
     const int count = static_cast<int>(this->Roles.size());
-    Coordinate center[3];
+    Coordinate center[3] = {}; // two-dimensional rows have no z
     p = this->Between.SkipBlanks(p);
     for (int column = 0; column < count; ++column)
     {
@@ -251,7 +251,8 @@ private:
   const char* StoreText(const char* p, int column, vtkIdType row) const
   {
     const char* const end = this->SkipField(p);
-    this->Extras.Texts[column][row] = PrintableText(this->Between.Unquote({ p, std::size_t(end - p) }));
+    this->Extras.Texts[column][row] =
+      PrintableText(this->Between.Unquote({ p, std::size_t(end - p) }));
     return end;
   }
 
@@ -264,9 +265,9 @@ private:
     {
       if constexpr (Scaled)
       {
-        const BoxFrame& box = *this->Layout.Box;
-        to[axis] = static_cast<Real>(box.Origin[axis] + center[0] * box.Edges[0][axis] +
-          center[1] * box.Edges[1][axis] + center[2] * box.Edges[2][axis]);
+        const SimulationCell& box = *this->Layout.Box;
+        to[axis] = static_cast<Real>(box.Origin[axis] + center[0] * box.Vectors[0][axis] +
+          center[1] * box.Vectors[1][axis] + center[2] * box.Vectors[2][axis]);
         if (!std::isfinite(to[axis]))
         {
           const auto column =

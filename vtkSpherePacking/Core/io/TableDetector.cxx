@@ -61,7 +61,7 @@ class Detector
 public:
   Detector(Format format, const ReadOptions& options, TextRange& text)
     : FormatIs(format)
-    , RadiiAre(options.RadiusOptional ? Radii::Optional : Radii::Required)
+    , RadiiAre(RadiiOf(options))
     , Head(FindHead(text))
     , Text(text)
   {
@@ -162,9 +162,8 @@ private:
       this->Layout.Between = Separators::Strict(delimiter);
     }
     const std::size_t count = this->Layout.Between.Split(row.Begin).size();
-    NamesFit fit = this->Layout.Between.IsStrict()
-      ? NamesFit()
-      : FitNames(View(header), count, this->RadiiAre);
+    NamesFit fit =
+      this->Layout.Between.IsStrict() ? NamesFit() : FitNames(View(header), count, this->RadiiAre);
     if (fit.What == NamesFit::Fits)
     {
       this->Layout.Columns = std::move(fit.Columns);
@@ -308,7 +307,8 @@ private:
     {
       throw LineError(row.FirstLine,
         "found " + QuoteLine(row) +
-          ", which is neither a row of numbers nor a header, expected x y z radius in each line and "
+          ", which is neither a row of numbers nor a header, expected x y z radius in each line "
+          "and "
           "# before remarks, or " +
           ColumnsHint);
     }

@@ -92,7 +92,8 @@ OneName ReadOneName(const TextRange& comment)
 }
 
 // The names of the comments [first, first + count), one for each column.
-NamesFit FitLines(const std::vector<OneName>& lines, std::size_t first, std::size_t count, Radii radii)
+NamesFit FitLines(
+  const std::vector<OneName>& lines, std::size_t first, std::size_t count, Radii radii)
 {
   std::vector<std::string_view> names;
   for (std::size_t i = first; i < first + count; ++i)

@@ -73,8 +73,8 @@ void ParseChunk(
       ", expected " + expected);
 }
 
-// Parses the rows into arrays. Returns whether a column of numbers turned out to be text, whose role
-// in `layout` is that from then on.
+// Parses the rows into arrays. Returns whether a column of numbers turned out to be text, whose
+// role in `layout` is that from then on.
 template <typename Real, bool Scaled>
 bool ParseInto(PackingArrays& arrays, const char* textEnd, TableLayout& layout,
   const std::vector<TextChunk>& chunks, Progress& progress)
@@ -138,15 +138,42 @@ bool ParseInto(PackingArrays& arrays, const char* textEnd, TableLayout& layout,
 }
 
 //------------------------------------------------------------------------------
+void CheckCount(
+  vtkIdType count, const std::string& things, vtkIdType line, const std::vector<TextChunk>& chunks)
+{
+  if (const vtkIdType rows = CountRows(chunks); rows != count)
+  {
+    throw LineError(line,
+      "found " + std::to_string(count) + " as the number of " + things + ", but " +
+        std::to_string(rows) + " lines of " + things + " follow, expected as many");
+  }
+}
+
+//------------------------------------------------------------------------------
+void CheckNotCut(const TextRange& rows)
+{
+  const char* last = rows.End;
+  if (last == rows.Begin || IsLineEnd(last[-1]))
+  {
+    return;
+  }
+  while (last != rows.Begin && !IsLineEnd(last[-1]))
+  {
+    --last;
+  }
+  throw LineError(rows.FirstLine + CountLineEnds(rows.Begin, last),
+    "found the end of the file within the row " + Quote(last, rows.End) +
+      ", expected a line end after every row");
+}
+
+//------------------------------------------------------------------------------
 PackingArrays ParseTable(const char* textEnd, const TableLayout& layout,
   const std::vector<TextChunk>& chunks, bool single, Progress& progress)
 {
   const bool scaled = layout.Box.has_value();
   const auto parse = single ? (scaled ? ParseInto<float, true> : ParseInto<float, false>)
                             : (scaled ? ParseInto<double, true> : ParseInto<double, false>);
-  const bool hasRadii = std::any_of(layout.Columns.begin(), layout.Columns.end(),
-    [](const Column& column)
-    { return column.Role == ColumnRole::Radius || column.Role == ColumnRole::Diameter; });
+  const bool hasRadii = HasRadius(layout.Columns);
   TableLayout roles = layout;
   {
     PackingArrays arrays(CountRows(chunks), single, hasRadii);
