@@ -17,6 +17,7 @@ from pathlib import Path
 PLAIN = {
     "base": (),
     "accel": ("base",),
+    "contacts": ("base",),
     "trace": ("base", "accel"),
     "light": ("base", "accel", "trace"),
     "metaballs/field": ("base",),
