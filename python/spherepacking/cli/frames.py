@@ -127,11 +127,12 @@ def frame_writer(
         part = Path(folder) / output.name
         frame = Path(folder) / "frame.png"
         gif = output.suffix.lower() == ".gif"
-        options = (
+        options: dict[str, Any] = (
             {"duration": 1000.0 / fps, "loop": 0}
             if gif
             else {"fps": fps, "quality": 8, "macro_block_size": 2}
         )
+        writer: Any
         with get_writer(part, **options) as writer:
 
             def append(_: int, draw: Callable[[Path], Any]) -> None:
