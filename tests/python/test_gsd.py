@@ -4,7 +4,6 @@ import builtins
 
 import numpy as np
 import pytest
-import pyvista as pv
 import spherepacking
 
 pytest.importorskip("gsd")
@@ -71,11 +70,6 @@ def test_spheres_types_box_and_time(tmp_path):
     assert packing.field_data["cell_vectors"].tolist() == vectors
     assert packing.field_data["cell_origin"].tolist() == [-7.75, -4.375, -3]
     assert packing.field_data["cell_periodic"].tolist() == [1, 1, 1]
-
-
-def test_pyvista_reads_them(tmp_path):
-    path = write(tmp_path / "a.gsd", frame(diameter=DIAMETERS))
-    assert pv.read(path)["radius"].tolist() == [0.5, 0.25, 0.125]
 
 
 def test_two_dimensions_are_not_periodic_along_z(tmp_path):
