@@ -53,9 +53,11 @@ def check_counts(path: Path) -> None:
 
 
 def _in_xml(data: mmap.mmap) -> list[int]:
-    """Counts of a file in XML; what is appended raw is no text, but has no attributes either."""
-    counts = [int(match[1]) for match in _XML.finditer(data)]
-    for match in _EXTENT.finditer(data):
+    """Counts of a file in XML; what is appended has none."""
+    appended = data.find(b"<AppendedData")
+    end = len(data) if appended < 0 else appended
+    counts = [int(match[1]) for match in _XML.finditer(data, 0, end)]
+    for match in _EXTENT.finditer(data, 0, end):
         low, high = (list(map(int, match[1].split()[i::2])) for i in (0, 1))
         counts.append(math.prod(max(0, b - a + 1) for a, b in zip(low, high, strict=True)))
     return [sum(counts) if min(counts, default=0) >= 0 else min(counts), *counts]

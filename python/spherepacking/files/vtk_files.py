@@ -52,7 +52,6 @@ class VtkFile:
         with errors_of_vtk(f"{path}: found no dataset that VTK can read"):
             self._reader: Any = pv.get_reader(path)
             algorithm = self._reader.reader
-            algorithm.UpdateInformation()
             key = algorithm.GetExecutive().TIME_STEPS()
             self.times = list(algorithm.GetOutputInformation(0).Get(key) or ())
 
