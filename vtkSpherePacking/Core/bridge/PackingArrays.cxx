@@ -2,6 +2,7 @@
 #include "bridge/PackingArrays.h"
 
 #include "base/HugePages.h"
+#include "bridge/ColorArrays.h"
 #include "bridge/VectorArrays.h"
 
 #include "vtkCellArray.h"
@@ -58,6 +59,16 @@ void SetVertices(vtkCellArray* vertices, vtkIdType count)
   vertices->SetData(1, indices);
 }
 
+// Adds an array whose name no other has. VTK compares the name with all others, which would take a
+// time that is quadratic in the number of arrays, unless there is none yet.
+void AddUnlookedFor(vtkPointData* data, vtkAbstractArray* array)
+{
+  const std::string name = array->GetName();
+  array->SetName(nullptr);
+  data->AddArray(array);
+  array->SetName(name.c_str());
+}
+
 void AddCell(vtkFieldData* data, const SimulationCell& cell)
 {
   vtkNew<vtkDoubleArray> vectors;
@@ -106,14 +117,6 @@ const double* PackingArrays::FindExtra(const std::string& name) const
 }
 
 //------------------------------------------------------------------------------
-void PackingArrays::RemoveExtra(const double* values)
-{
-  const auto found = std::find_if(this->Extras.begin(), this->Extras.end(),
-    [values](vtkDataArray* array) { return array->GetVoidPointer(0) == values; });
-  this->Extras.erase(found);
-}
-
-//------------------------------------------------------------------------------
 std::string* PackingArrays::AddText(const std::string& name)
 {
   const auto array = vtkSmartPointer<vtkStringArray>::New();
@@ -145,15 +148,17 @@ void PackingArrays::MoveTo(vtkPolyData* output)
 
   vtkPointData* data = output->GetPointData();
   data->SetScalars(this->RadiusArray);
+  data->AllocateArrays(static_cast<int>(1 + this->Extras.size() + this->Texts.size()));
   for (const auto& extra : this->Extras)
   {
-    data->AddArray(extra);
+    AddUnlookedFor(data, extra);
   }
   for (const auto& text : this->Texts)
   {
-    data->AddArray(text);
+    AddUnlookedFor(data, text);
   }
   AddVectors(data);
+  AddColors(data);
   if (this->Cell)
   {
     AddCell(output->GetFieldData(), *this->Cell);

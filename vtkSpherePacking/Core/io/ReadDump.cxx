@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/ColumnsOption.h"
+#include "io/GivenColumns.h"
 #include "io/DumpFile.h"
 #include "io/FileBytes.h"
 #include "io/PackingFileError.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/ColumnsOption.h"
+#include "io/GivenColumns.h"
 #include "io/FileBytes.h"
 #include "io/LammpsAtomStyle.h"
 #include "io/LammpsDataFile.h"
@@ -83,8 +83,9 @@ std::vector<Column> ColumnsOfStyle(
 TableLayout LayoutOfAtoms(const LammpsDataFile& file, const ReadOptions& options)
 {
   TableLayout layout;
-  const auto named = ColumnsOfOption(options);
-  layout.Columns = named ? *named : ColumnsOfStyle(file, FirstRow(file.Atoms->Rows), options);
+  layout.Columns = options.Columns.empty()
+    ? ColumnsOfStyle(file, FirstRow(file.Atoms->Rows), options)
+    : GivenColumns(options);
   MarkTextByFirstRow(layout, file.Atoms->Rows);
   layout.Expected = DescribeColumns(layout.Columns);
   return layout;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/FileBytes.h"
-#include "io/ColumnsOption.h"
+#include "io/GivenColumns.h"
 #include "io/LineCursor.h"
 #include "io/PackingFileError.h"
 #include "io/PackingFormats.h"
@@ -198,8 +198,7 @@ TableLayout ReadLayout(const FrameHead& head, const ReadOptions& options)
   }
   else
   {
-    const auto named = ColumnsOfOption(options);
-    layout.Columns = named ? *named : PlainColumns(row);
+    layout.Columns = options.Columns.empty() ? PlainColumns(row) : GivenColumns(options);
     MarkTextByFirstRow(layout, rows);
   }
   layout.Expected = DescribeColumns(layout.Columns);

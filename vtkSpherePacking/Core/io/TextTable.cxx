@@ -124,22 +124,29 @@ void ParseChunk(
   throw LineError(line, "found " + field + " as " + name + where + ", expected " + expected);
 }
 
+// Parses the rows into arrays. Returns whether a column of numbers turned out to be text, whose role
+// in `layout` is that from then on.
 template <typename Real, bool Scaled>
-void ParseInto(PackingArrays& arrays, const char* textEnd, const TableLayout& layout,
+bool ParseInto(PackingArrays& arrays, const char* textEnd, TableLayout& layout,
   const std::vector<TextChunk>& chunks, Progress& progress)
 {
   const std::size_t columns = layout.Columns.size();
-  std::vector<double*> extras(columns, nullptr);
+  ExtraColumns extras{ std::vector<double*>(columns), std::vector<std::string*>(columns),
+    std::make_unique<std::atomic<bool>[]>(columns) };
   for (std::size_t i = 0; i < columns; ++i)
   {
-    if (layout.Columns[i].Role == ColumnRole::Extra)
+    const Column& column = layout.Columns[i];
+    if (column.Role == ColumnRole::Extra)
     {
-      extras[i] = arrays.AddExtra(layout.Columns[i].Name);
+      extras.Numbers[i] = arrays.AddExtra(column.Name);
+    }
+    else if (column.Role == ColumnRole::Text)
+    {
+      extras.Texts[i] = arrays.AddText(column.Name);
     }
   }
-  const auto isText = std::make_unique<std::atomic<bool>[]>(columns);
   const RowParser<Real, Scaled> parser(
-    layout, textEnd, arrays.Centers<Real>(), arrays.Radii<Real>(), extras, isText.get());
+    layout, textEnd, arrays.Centers<Real>(), arrays.Radii<Real>(), extras);
 
   std::vector<BadRow> bad(chunks.size());
   std::atomic<bool> failed{ false };
@@ -168,13 +175,16 @@ void ParseInto(PackingArrays& arrays, const char* textEnd, const TableLayout& la
     },
     throwIfFailed);
 
+  bool turned = false;
   for (std::size_t i = 0; i < columns; ++i)
   {
-    if (isText[i])
+    if (extras.IsText[i])
     {
-      arrays.RemoveExtra(extras[i]);
+      layout.Columns[i].Role = ColumnRole::Text;
+      turned = true;
     }
   }
+  return turned;
 }
 }
 
@@ -211,11 +221,23 @@ void CheckNotCut(const TextRange& rows)
 PackingArrays ParseTable(const char* textEnd, const TableLayout& layout,
   const std::vector<TextChunk>& chunks, bool single, Progress& progress)
 {
-  PackingArrays arrays(CountRows(chunks), single, HasRadius(layout.Columns));
   const bool scaled = layout.Box.has_value();
   const auto parse = single ? (scaled ? ParseInto<float, true> : ParseInto<float, false>)
                             : (scaled ? ParseInto<double, true> : ParseInto<double, false>);
-  parse(arrays, textEnd, layout, chunks, progress);
+  const bool hasRadii = std::any_of(layout.Columns.begin(), layout.Columns.end(),
+    [](const Column& column)
+    { return column.Role == ColumnRole::Radius || column.Role == ColumnRole::Diameter; });
+  TableLayout roles = layout;
+  {
+    PackingArrays arrays(CountRows(chunks), single, hasRadii);
+    if (!parse(arrays, textEnd, roles, chunks, progress))
+    {
+      return arrays;
+    }
+  }
+  // Again, since the text of rows before the first that was no number is gone.
+  PackingArrays arrays(CountRows(chunks), single, hasRadii);
+  parse(arrays, textEnd, roles, chunks, progress);
   return arrays;
 }
 }
