@@ -112,7 +112,7 @@ std::string* PackingArrays::AddText(const std::string& name)
   const auto array = vtkSmartPointer<vtkStringArray>::New();
   array->SetName(name.c_str());
   array->SetNumberOfValues(this->Count);
-  this->Texts.push_back(array);
+  this->Extras.push_back(array);
   return array->GetPointer(0);
 }
 
@@ -138,14 +138,10 @@ void PackingArrays::MoveTo(vtkPolyData* output)
 
   vtkPointData* data = output->GetPointData();
   data->SetScalars(this->RadiusArray);
-  data->AllocateArrays(static_cast<int>(1 + this->Extras.size() + this->Texts.size()));
+  data->AllocateArrays(static_cast<int>(1 + this->Extras.size()));
   for (const auto& extra : this->Extras)
   {
     AddUnlookedFor(data, extra);
-  }
-  for (const auto& text : this->Texts)
-  {
-    AddUnlookedFor(data, text);
   }
   AddVectors(data);
   AddColors(data);

@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
+class vtkAbstractArray;
 class vtkDataArray;
 class vtkPolyData;
-class vtkStringArray;
 
 namespace spherepacking
 {
@@ -47,7 +47,9 @@ public:
   template <typename Real>
   Real* Radii() const
   {
-    return !this->RadiusArray ? nullptr : vtkAOSDataArrayTemplate<Real>::FastDownCast(this->RadiusArray)->GetPointer(0);
+    return !this->RadiusArray
+      ? nullptr
+      : vtkAOSDataArrayTemplate<Real>::FastDownCast(this->RadiusArray)->GetPointer(0);
   }
 
   /// Adds a further array, uninitialised, and returns its values.
@@ -75,8 +77,7 @@ private:
   bool Single;
   vtkSmartPointer<vtkDataArray> CenterArray;
   vtkSmartPointer<vtkDataArray> RadiusArray; // null without radii
-  std::vector<vtkSmartPointer<vtkDataArray>> Extras;
-  std::vector<vtkSmartPointer<vtkStringArray>> Texts;
+  std::vector<vtkSmartPointer<vtkAbstractArray>> Extras;
   std::optional<SimulationCell> Cell;
   std::optional<double> Time;
 };

@@ -123,4 +123,12 @@ FileBytes FileBytes::ReadHead(const std::string& path, unsigned long long length
   }
   return bytes;
 }
+
+//------------------------------------------------------------------------------
+FileBytes FileBytes::Copy(std::string_view text)
+{
+  FileBytes bytes(text.size());
+  std::copy(text.begin(), text.end(), bytes.Bytes.get());
+  return bytes;
+}
 }

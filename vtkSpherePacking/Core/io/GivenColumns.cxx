@@ -33,8 +33,8 @@ std::vector<Column> ParseColumns(const ReadOptions& options)
   std::remove_copy_if(names.begin(), names.end(), std::back_inserter(wanted), isSkipped);
 
   std::string complaint;
-  const auto found = ColumnsFromNames(
-    wanted, complaint, options.RadiusOptional ? Radii::Optional : Radii::Required);
+  const auto found =
+    ColumnsFromNames(wanted, complaint, options.RadiusOptional ? Radii::Optional : Radii::Required);
   if (!found || !complaint.empty())
   {
     throw ContentError(!complaint.empty()

@@ -4,6 +4,7 @@
 #include "io/FileBytes.h"
 #include "io/PackingFileError.h"
 #include "io/TextChunks.h"
+#include "io/UnicodeText.h"
 #include "io/Utf8Mark.h"
 
 #include "vtksys/SystemTools.hxx"
@@ -77,7 +78,9 @@ Format GuessFormat(const std::string& file)
   }
   constexpr unsigned long long head = 1 << 16;
   const FileBytes bytes = FileBytes::ReadHead(file, head);
-  const Format ofText = FormatOfText(bytes.Begin(), bytes.End());
+  // No program that has a format of its own writes UTF-16.
+  const Format ofText =
+    HasWideMark(bytes) ? Format::Spheres : FormatOfText(bytes.Begin(), bytes.End());
   // Some programs write dumps with the extension .sph, too.
   return format == Format::SphereTree && ofText != Format::Dump ? format : ofText;
 }

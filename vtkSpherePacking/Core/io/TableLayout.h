@@ -2,6 +2,7 @@
 #ifndef TableLayout_h
 #define TableLayout_h
 
+#include "bridge/PackingArrays.h"
 #include "io/ColumnNames.h"
 #include "io/Separators.h"
 #include "io/TableColumn.h"
@@ -30,6 +31,7 @@ struct TableLayout
   std::optional<BoxFrame> Box; ///< if the coordinates are scaled, that is fractions of this box
   std::string Expected;        ///< describes the columns, for messages
   bool IsNameless = false;     ///< whether nobody has named the columns
+  std::optional<SimulationCell> Cell; ///< that of the packing, where the header gives one
 };
 
 /// Makes those further columns text that hold anything but a number in the row at `p`; an empty

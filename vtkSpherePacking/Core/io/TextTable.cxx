@@ -124,8 +124,8 @@ void ParseChunk(
   throw LineError(line, "found " + field + " as " + name + where + ", expected " + expected);
 }
 
-// Parses the rows into arrays. Returns whether a column of numbers turned out to be text, whose role
-// in `layout` is that from then on.
+// Parses the rows into arrays. Returns whether a column of numbers turned out to be text, whose
+// role in `layout` is that from then on.
 template <typename Real, bool Scaled>
 bool ParseInto(PackingArrays& arrays, const char* textEnd, TableLayout& layout,
   const std::vector<TextChunk>& chunks, Progress& progress)
@@ -195,9 +195,9 @@ PackingArrays ParseTable(const char* textEnd, const TableLayout& layout,
   const bool scaled = layout.Box.has_value();
   const auto parse = single ? (scaled ? ParseInto<float, true> : ParseInto<float, false>)
                             : (scaled ? ParseInto<double, true> : ParseInto<double, false>);
-  const bool hasRadii = std::any_of(layout.Columns.begin(), layout.Columns.end(),
-    [](const Column& column)
-    { return column.Role == ColumnRole::Radius || column.Role == ColumnRole::Diameter; });
+  const bool hasRadii =
+    std::any_of(layout.Columns.begin(), layout.Columns.end(), [](const Column& column)
+      { return column.Role == ColumnRole::Radius || column.Role == ColumnRole::Diameter; });
   TableLayout roles = layout;
   {
     PackingArrays arrays(CountRows(chunks), single, hasRadii);
