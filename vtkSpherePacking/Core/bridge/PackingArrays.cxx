@@ -3,6 +3,7 @@
 
 #include "base/HugePages.h"
 #include "bridge/ColorArrays.h"
+#include "bridge/NewArrays.h"
 #include "bridge/VectorArrays.h"
 
 #include "vtkCellArray.h"
@@ -57,16 +58,6 @@ void SetVertices(vtkCellArray* vertices, vtkIdType count)
   vtkSMPTools::For(0, count, vtkSMPTools::THRESHOLD, [values](vtkIdType first, vtkIdType last)
     { std::iota(values + first, values + last, static_cast<ValueT>(first)); });
   vertices->SetData(1, indices);
-}
-
-// Adds an array whose name no other has. VTK compares the name with all others, which would take a
-// time that is quadratic in the number of arrays, unless there is none yet.
-void AddUnlookedFor(vtkPointData* data, vtkAbstractArray* array)
-{
-  const std::string name = array->GetName();
-  array->SetName(nullptr);
-  data->AddArray(array);
-  array->SetName(name.c_str());
 }
 
 void AddCell(vtkFieldData* data, const SimulationCell& cell)
@@ -138,11 +129,7 @@ void PackingArrays::MoveTo(vtkPolyData* output)
 
   vtkPointData* data = output->GetPointData();
   data->SetScalars(this->RadiusArray);
-  data->AllocateArrays(static_cast<int>(1 + this->Extras.size()));
-  for (const auto& extra : this->Extras)
-  {
-    AddUnlookedFor(data, extra);
-  }
+  AddNewArrays(data, this->Extras);
   AddVectors(data);
   AddColors(data);
   if (this->Cell)
