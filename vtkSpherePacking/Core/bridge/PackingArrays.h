@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
+class vtkAbstractArray;
 class vtkDataArray;
 class vtkPolyData;
-class vtkStringArray;
 
 namespace spherepacking
 {
@@ -80,8 +80,7 @@ private:
   bool Single;
   vtkSmartPointer<vtkDataArray> CenterArray;
   vtkSmartPointer<vtkDataArray> RadiusArray; // null without radii
-  std::vector<vtkSmartPointer<vtkDataArray>> Extras;
-  std::vector<vtkSmartPointer<vtkStringArray>> Texts;
+  std::vector<vtkSmartPointer<vtkAbstractArray>> Extras;
   std::optional<SimulationCell> Cell;
   std::optional<double> Time;
 };

@@ -97,7 +97,8 @@ private:
     }
   }
 
-  // The coordinates are those of the only family of names that has all three; x, y, z before others.
+  // The coordinates are those of the only family of names that has all three; x, y, z before
+  // others.
   bool FindCoordinates()
   {
     std::map<std::string, int> axes; // which of a family are there, as bits
@@ -126,7 +127,8 @@ private:
     for (std::size_t i = 0; i < this->Meanings.size(); ++i)
     {
       const NameMeaning& meaning = this->Meanings[i];
-      if (meaning.What == NameMeaning::Coordinate && (plain ? meaning.Family == chosen : axes[meaning.Family] == 7))
+      if (meaning.What == NameMeaning::Coordinate &&
+        (plain ? meaning.Family == chosen : axes[meaning.Family] == 7))
       {
         columns[meaning.Axis].push_back(i);
       }

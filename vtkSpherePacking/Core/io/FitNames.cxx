@@ -65,8 +65,8 @@ Names Split(std::string_view line, Between between)
   {
     const char c = line[i];
     const bool comma = c == ',' || c == ';';
-    const bool wide = IsGap(c) && (c == '\t' || (i + 1 < line.size() && IsGap(line[i + 1])) ||
-                                    (i > 0 && IsGap(line[i - 1])));
+    const bool wide = IsGap(c) &&
+      (c == '\t' || (i + 1 < line.size() && IsGap(line[i + 1])) || (i > 0 && IsGap(line[i - 1])));
     return between == Between::Anything ? comma || IsGap(c)
       : between == Between::Commas      ? comma
       : between == Between::Tabs        ? c == '\t'
@@ -188,7 +188,8 @@ bool IsLabel(std::string_view word)
 {
   static const std::set<std::string_view> labels{ "columns", "Columns", "column", "fields",
     "Fields", "names", "Names", "header", "variables", "VARIABLES", "C" };
-  return labels.count(word) > 0 || (word.size() > 2 && word.back() == ':' && (word[0] < '0' || word[0] > '9'));
+  return labels.count(word) > 0 ||
+    (word.size() > 2 && word.back() == ':' && (word[0] < '0' || word[0] > '9'));
 }
 
 Names WithoutLabel(Names names)

@@ -67,8 +67,7 @@ std::vector<Column> GivenColumns(const ReadOptions& options)
   std::remove_copy_if(names.begin(), names.end(), std::back_inserter(wanted), isSkipped);
 
   std::string complaint;
-  const auto found = ColumnsFromNames(
-    wanted, complaint, RadiiOf(options));
+  const auto found = ColumnsFromNames(wanted, complaint, RadiiOf(options));
   if (!found || !complaint.empty())
   {
     throw ContentError(!complaint.empty()

@@ -49,8 +49,8 @@ std::string LengthUnit(std::string_view word)
     { "mm", "mm" }, { "um", "um" }, { "\xC2\xB5m", "um" }, { "\xCE\xBCm", "um" },
     { "micron", "um" }, { "microns", "um" }, { "nm", "nm" }, { "pm", "pm" }, { "km", "km" },
     { "\xC3\xA5", "A" }, { "\xC3\x85", "A" }, { "\xE2\x84\xAB", "A" }, { "angstrom", "A" },
-    { "angstroms", "A" }, { "inch", "inch" }, { "inches", "inch" }, { "ft", "ft" },
-    { "px", "px" }, { "pixel", "px" }, { "pixels", "px" }, { "vox", "voxel" }, { "voxel", "voxel" },
+    { "angstroms", "A" }, { "inch", "inch" }, { "inches", "inch" }, { "ft", "ft" }, { "px", "px" },
+    { "pixel", "px" }, { "pixels", "px" }, { "vox", "voxel" }, { "voxel", "voxel" },
     { "voxels", "voxel" } };
   std::string lower(word);
   std::transform(lower.begin(), lower.end(), lower.begin(), Lower);
@@ -133,9 +133,10 @@ void FindSize(const std::string& plain, NameMeaning& meaning)
     Words Full;
     Words Short;
   };
-  static const std::array<Size, 2> sizes{ { { NameMeaning::Radius, { "radius", "radii" },
-                                              { "r", "rad" } },
-    { NameMeaning::Diameter, { "diameter", "diameters" }, { "d", "diam" } } } };
+  static const std::array<Size, 2> sizes{
+    { { NameMeaning::Radius, { "radius", "radii" }, { "r", "rad" } },
+      { NameMeaning::Diameter, { "diameter", "diameters" }, { "d", "diam" } } }
+  };
   const std::string_view view = plain;
   const std::size_t cut = view.rfind('_');
   const std::string_view word = cut == view.npos ? view : view.substr(cut + 1);
@@ -199,7 +200,8 @@ bool IsUnit(std::string_view word)
 bool IsNameOfTwoWords(std::string_view first, std::string_view second)
 {
   static const Words things{ "particle", "grain", "atom", "sphere", "ball", "bead", "point", "node",
-    "body", "clump", "material", "pore", "cell", "molecule", "residue", "element", "group", "cluster" };
+    "body", "clump", "material", "pore", "cell", "molecule", "residue", "element", "group",
+    "cluster" };
   static const Words properties{ "id", "ids", "number", "no", "nr", "num", "index", "idx", "type",
     "name", "radius", "diameter" };
   const std::string a = PlainWords(first);

@@ -12,7 +12,7 @@
 
 namespace spherepacking
 {
-const char* const ColumnsHint = "columns=\"id x y z r\" (--columns) or the like, which says what they are";
+const char* const ColumnsHint = "columns=\"id x y z r\" (--columns) to say what they are";
 
 namespace
 {
@@ -163,11 +163,12 @@ void CheckFirstColumn(const TextRange& text, const TableLayout& layout)
       values.push_back(value);
       for (int i = 0; i < 2 && !pointBeside; ++i)
       {
-        const char* const begin = between.SkipBlanks(end) +
-          (between.IsDelimiter(*between.SkipBlanks(end)) ? 1 : 0);
+        const char* const begin =
+          between.SkipBlanks(end) + (between.IsDelimiter(*between.SkipBlanks(end)) ? 1 : 0);
         const char* const field = between.SkipBlanks(begin);
         end = between.FieldEnd(field);
-        pointBeside = std::string_view(field, end - field).find_first_of(".eE") != std::string_view::npos;
+        pointBeside =
+          std::string_view(field, end - field).find_first_of(".eE") != std::string_view::npos;
       }
       return onlyWhole;
     });

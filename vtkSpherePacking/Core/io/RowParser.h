@@ -37,8 +37,8 @@ struct RowFault
 /// Where the further columns of a table go. Each has an element per column of the table.
 struct ExtraColumns
 {
-  std::vector<double*> Numbers;     ///< null where the role is not Extra
-  std::vector<std::string*> Texts;  ///< null where the role is not Text
+  std::vector<double*> Numbers;    ///< null where the role is not Extra
+  std::vector<std::string*> Texts; ///< null where the role is not Text
   /// Set if a field of a column whose role is Extra is no number.
   std::unique_ptr<std::atomic<bool>[]> IsText;
 };
@@ -234,7 +234,8 @@ private:
   const char* StoreText(const char* p, int column, vtkIdType row) const
   {
     const char* const end = this->SkipField(p);
-    this->Extras.Texts[column][row] = PrintableText(this->Between.Unquote({ p, std::size_t(end - p) }));
+    this->Extras.Texts[column][row] =
+      PrintableText(this->Between.Unquote({ p, std::size_t(end - p) }));
     return end;
   }
 

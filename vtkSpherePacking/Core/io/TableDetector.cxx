@@ -119,10 +119,10 @@ private:
     if (!this->TakeYadeFormat(fields.size()) && !this->TakeComments(fields.size()))
     {
       this->CheckProse();
-      this->Layout.IsNameless = true;
       this->Layout.Columns = NamelessColumns(this->FormatIs, this->Text, row, this->RadiiAre);
     }
     MarkTextColumns(this->Layout, row.Begin);
+    this->Layout.Cell = this->Head.Cell;
   }
 
   void SkipHeader()
@@ -162,9 +162,8 @@ private:
       this->Layout.Between = Separators::Strict(delimiter);
     }
     const std::size_t count = this->Layout.Between.Split(row.Begin).size();
-    NamesFit fit = this->Layout.Between.IsStrict()
-      ? NamesFit()
-      : FitNames(View(header), count, this->RadiiAre);
+    NamesFit fit =
+      this->Layout.Between.IsStrict() ? NamesFit() : FitNames(View(header), count, this->RadiiAre);
     if (fit.What == NamesFit::Fits)
     {
       this->Layout.Columns = std::move(fit.Columns);
@@ -238,7 +237,12 @@ private:
       this->Layout.Columns = std::move(fit.Columns);
       return true;
     }
-    if (fit.What == NamesFit::NoNames || this->FirstFourAreNamed(fit.Line, count))
+    if (fit.What == NamesFit::NoNames)
+    {
+      this->Layout.IsNameless = true;
+      return false;
+    }
+    if (this->FirstFourAreNamed(fit.Line, count))
     {
       return false;
     }
@@ -308,8 +312,8 @@ private:
     {
       throw LineError(row.FirstLine,
         "found " + QuoteLine(row) +
-          ", which is neither a row of numbers nor a header, expected x y z radius in each line and "
-          "# before remarks, or " +
+          ", which is neither a row of numbers nor a header, expected lines of x y z radius, and # "
+          "before remarks; or a header of names, or " +
           ColumnsHint);
     }
   }

@@ -20,9 +20,10 @@ struct TableLayout
   std::vector<Column> Columns;
   Separators Between = Separators::Liberal();
   RowKind Rows = RowKind::Data;
-  std::optional<SimulationCell> Box; ///< if the coordinates are scaled, that is fractions of it
-  std::string Expected;              ///< describes the columns, for messages
-  bool IsNameless = false;           ///< whether nobody has named the columns
+  std::optional<SimulationCell> Box;  ///< if the coordinates are scaled, that is fractions of it
+  std::string Expected;               ///< describes the columns, for messages
+  bool IsNameless = false;            ///< whether nobody has named the columns
+  std::optional<SimulationCell> Cell; ///< that of the packing, where the header gives one
 };
 
 /// Makes those further columns text that hold anything but a number in the row at `p`; an empty
