@@ -13,19 +13,8 @@ namespace spherepacking
 {
 namespace
 {
-bool BeginsAsPdb(const TextRange& head)
-{
-  LineScanner scanner(head);
-  constexpr const char* records[] = { "ATOM", "HETATM", "REMARK", "HEADER", "TITLE", "CRYST",
-    "MODEL" };
-  const char* const line = scanner.Next() ? scanner.Line().data() : nullptr;
-  return line &&
-    std::any_of(std::begin(records), std::end(records),
-      [&](const char* record) { return BeginsWithRecord(line, head.End, record); });
-}
-
-// By the first record of an atom, which HOLE names QSS SPH, or QC1 SPH for a capsule.
-bool IsHole(const TextRange& head)
+// The first record of an atom; empty if there is none.
+std::string_view FirstAtom(const TextRange& head)
 {
   LineScanner scanner(head);
   while (scanner.Next())
@@ -33,11 +22,28 @@ bool IsHole(const TextRange& head)
     const std::string_view line = scanner.WholeLine();
     if (IsAtomRecord(line.data(), line.data() + line.size()))
     {
-      const std::string_view name = PdbColumns(line, 13, 20);
-      return name == "QSS SPH" || name == "QC1 SPH";
+      return line;
     }
   }
-  return false;
+  return {};
+}
+
+// The first line may be long before the atoms, or prose that begins with a word such as title.
+bool BeginsAsPdb(const TextRange& head)
+{
+  LineScanner scanner(head);
+  scanner.Next();
+  const auto begins = [&](const char* record)
+  { return BeginsWithRecord(scanner.Line().data(), head.End, record); };
+  return begins("ATOM") || begins("HETATM") || begins("REMARK") || begins("HEADER") ||
+    ((begins("TITLE") || begins("CRYST") || begins("MODEL")) && !FirstAtom(head).empty());
+}
+
+// HOLE names its atoms QSS SPH, or QC1 SPH for the end of a capsule.
+bool IsHole(const TextRange& head)
+{
+  const std::string_view name = PdbColumns(FirstAtom(head), 13, 20);
+  return name == "QSS SPH" || name == "QC1 SPH";
 }
 
 bool IsDock(const TextRange& head)
@@ -155,6 +161,10 @@ Format GuessFixedForm(const TextRange& head)
   {
     return Format::Auto;
   }
+  if (IsDock(head))
+  {
+    return Format::Dock;
+  }
   if (BeginsAsPdb(head))
   {
     return IsHole(head) ? Format::Hole : Format::Pqr;
@@ -163,8 +173,7 @@ Format GuessFixedForm(const TextRange& head)
   {
     return Format::GenGeo;
   }
-  return IsDock(head)                    ? Format::Dock
-    : IsKratos(head)                     ? Format::Kratos
+  return IsKratos(head)                  ? Format::Kratos
     : IsPackLsd(head)                    ? Format::PackLsd
     : IsMedialAxis(head)                 ? Format::MedialAxis
     : IsSwc(head) && !NamesColumns(head) ? Format::Swc

@@ -45,9 +45,9 @@ bool SplitByColumns(std::string_view line, DockRow& row)
 void SplitByFields(const LineScanner& scanner, DockRow& row)
 {
   const auto fields = scanner.Fields();
-  if (fields.size() < 5 || fields.size() > 5 + Further)
+  if (fields.size() != 5 && fields.size() != 5 + Further)
   {
-    scanner.Refuse("the number of an atom, x y z radius and up to 3 whole numbers");
+    scanner.Refuse("the number of an atom, x y z radius and 3 whole numbers");
   }
   row = {};
   row.Atom = fields[0];
@@ -98,8 +98,7 @@ public:
     const char* const names[Further] = { "second_atom", "critical_cluster", "color" };
     for (std::size_t i = 0; i < Further; ++i)
     {
-      // Rows by other programs may end before.
-      if (this->More[i].size() == this->Spheres.size())
+      if (!this->More[i].empty())
       {
         AddIntegers(arrays, names[i], this->More[i]);
       }
@@ -143,9 +142,11 @@ private:
       {
         this->More[i].push_back(value);
       }
-      else if (!row.More[i].empty())
+      // Other programs leave them out, but then in every row.
+      const std::size_t rows = this->Spheres.size();
+      if (this->More[i].size() != rows && (!row.More[i].empty() || !this->More[i].empty()))
       {
-        this->Scanner.Refuse("whole numbers after x y z radius");
+        this->Scanner.Refuse("3 whole numbers after x y z radius, as in the rows before");
       }
     }
   }

@@ -32,7 +32,8 @@ PackingArrays ParseHole(const TextRange& text, bool single, Progress& progress)
     if (IsAtomRecord(line.data(), line.data() + line.size()))
     {
       int plane;
-      if (!HoldsCoordinates(line) || !ParseInteger(PdbColumns(line, 23, 26), plane))
+      if (!HoldsCoordinates(line) || !HoldsFixedNumber(line, 55, 60, 2) ||
+        !ParseInteger(PdbColumns(line, 23, 26), plane))
       {
         scanner.Refuse("a plane in columns 23 to 26, x y z in 31 to 54 and a radius in 55 to 60");
       }
