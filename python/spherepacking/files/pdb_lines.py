@@ -46,8 +46,8 @@ def check_pdb_lines(path: Path, data: bytes) -> None:
         )
     if (first := _ATOM.search(data)) and first[0][13:20] in (b"QSS SPH", b"QC1 SPH"):
         raise PackingFileError(
-            f"{path}, line {_line(data, first.start())}: found {_quoted(first[0])}, the spheres of a "
-            "pore by HOLE, expected atoms; such a file is read by the name .sph"
+            f"{path}, line {_line(data, first.start())}: found {_quoted(first[0])}, the spheres of "
+            "a pore by HOLE, expected atoms; such a file is read by the name .sph"
         )
     records = [(match.start(), match[0]) for match in _ATOM.finditer(data)]
     fields = np.array([record[_COORDINATES].ljust(24) for _, record in records], "S24")
