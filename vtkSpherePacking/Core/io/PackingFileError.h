@@ -8,6 +8,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 namespace spherepacking
 {
@@ -59,6 +60,9 @@ auto WithFileName(const std::string& file, const Work& work)
     ThrowInFile(file, error);
   }
 }
+
+/// Bytes with unprintable ones as \xNN, and tabs as blanks.
+std::string Printable(std::string_view bytes);
 
 /// The bytes [begin, end) in single quotes, clipped, unprintable ones as \xNN.
 std::string Quote(const char* begin, const char* end);

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/AtomRecord.h"
 #include "io/FileBytes.h"
 #include "io/LineScanner.h"
-#include "io/PackingFormats.h"
 #include "io/PackingFileError.h"
+#include "io/PackingFormats.h"
 #include "io/PdbRecord.h"
 #include "io/SphereFields.h"
 #include "io/Utf8Mark.h"
+
+#include <algorithm>
 
 namespace spherepacking
 {
@@ -60,7 +61,7 @@ PackingArrays ParseHole(const TextRange& text, bool single, Progress& progress)
   PackingArrays arrays = ParseSpheres(spheres, SphereSize::Radius, single, progress);
   AddIntegers(arrays, "plane", planes);
   AddIntegers(arrays, "end", ends);
-  std::copy(names.begin(), names.end(), arrays.AddText("name"));
+  std::transform(names.begin(), names.end(), arrays.AddText("name"), Printable);
   return arrays;
 }
 }

@@ -86,7 +86,7 @@ private:
   template <typename Add>
   void ScanBlock(const std::string& name, const Add& add)
   {
-    const std::string end = "End " + name;
+    const std::string end = "End " + Printable(name);
     for (this->Scanner.Require(end);; this->Scanner.Require(end))
     {
       const auto fields = this->Scanner.Fields();
@@ -103,7 +103,7 @@ private:
   {
     for (int depth = 1; depth > 0;)
     {
-      this->Scanner.Require("End " + name);
+      this->Scanner.Require("End " + Printable(name));
       const auto fields = this->Scanner.Fields();
       if (fields.size() > 1 && fields[1] == name)
       {

@@ -188,16 +188,12 @@ private:
     SetText(this->To.Elements[row], record.Element);
   }
 
-  // Bytes beyond ASCII are escaped: the values must be valid UTF-8 whatever the file is.
+  // Such text must be valid UTF-8 whatever the file is.
   static void SetText(std::string& to, std::string_view field)
   {
-    if (std::all_of(field.begin(), field.end(), [](char c) { return c >= ' ' && c <= '~'; }))
-    {
-      to = field;
-      return;
-    }
-    const std::string quoted = QuoteField(field);
-    to = quoted.substr(1, quoted.size() - 2);
+    const bool plain =
+      std::all_of(field.begin(), field.end(), [](char c) { return c >= ' ' && c <= '~'; });
+    to = plain ? std::string(field) : Printable(field);
   }
 
   // Any other line is left out, unless it is a record of atoms whose name is damaged.
