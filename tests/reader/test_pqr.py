@@ -189,15 +189,22 @@ BAD = {
         "ATOM      2  N   ALA A   1      -0.750  -1.125  -0.375  0.1414\n",
         2,
         "10 columns",
-        "10 or more",
+        "10 to 13",
     ),
     "cut after z": (ALANINE[:54], 2, "9 columns", "x y z charge radius"),
     "touching, not in columns": (
         "ATOM 2 O HOH 1236 1234.5672200.5003103.250 -0.8340 1.6612\n",
         2,
         "8 columns",
-        "10 or more",
+        "10 to 13",
     ),
+    "a number too many": (
+        "ATOM 2 N GLY 1 1.5 2.5 3.5 0.16 1.7 9\n",
+        2,
+        "11 columns",
+        "10 to 13 that end with x y z charge radius",
+    ),
+    "numbers too many": ("ATOM 2 N GLY A 1 1 2 3 0.1 1.5 7 8 9\n", 2, "14 columns", "10 to 13"),
     "not finite": ("ATOM 2 N GLY A 1 1 2 inf 0.1 1.5\n", 2, "'inf' as z", "a finite number"),
     "no charge": ("ATOM 2 N GLY A 1 1 2 3 none 1.5\n", 2, "'none' as charge", "a number"),
     "negative": ("ATOM 2 N GLY A 1 1 2 3 0.1 -1.5\n", 2, "'-1.5' as radius", "not negative"),
@@ -206,7 +213,7 @@ BAD = {
         "MODEL 1\nENDMDL\nMODEL 2\nATOM 1 N\n",
         5,
         "3 columns 'ATOM 1 N'",
-        "10 or more",
+        "10 to 13",
     ),
 }
 

@@ -19,7 +19,7 @@ namespace spherepacking
 {
 namespace
 {
-constexpr char Expected[] = "10 or more that end with x y z charge radius";
+constexpr char Expected[] = "10 to 13 that end with x y z charge radius and perhaps an element";
 
 // What is wrong with a line, and where.
 struct BadLine
