@@ -304,6 +304,16 @@ def test_charges_and_radii_in_the_columns_of_a_pdb_file(read_text, read_error, t
     assert read_text(PDB, "p.pdb", fmt="PQR")["radius"].tolist() == [9.5, 12.25]
 
 
+@pytest.mark.parametrize("first", ["Atom x y z r", "# remark\natom x y z r", "MODEL x y z r"])
+def test_names_of_columns_are_no_records(read_text, first):
+    check(read_text(first + "\n1 2 3 4 5\n", "p.txt"), [(2, 3, 4, 5)])
+
+
+@pytest.mark.parametrize("first", ["", "title\n", "Model 1\n", "CRYST1 1 1 1 90 90 90\n"])
+def test_records_of_pqr_by_content(read_text, first):
+    check(read_text(first + "Atom 1 N GLY A 1 1 2 3 0.1 1.5\n", "p.txt"), [(1, 2, 3, 1.5)])
+
+
 # --- Bad files ------------------------------------------------------------------------------------
 
 BAD = {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/FixedForms.h"
 
+#include "io/AtomRecord.h"
 #include "io/DockCluster.h"
 #include "io/LineScanner.h"
 #include "io/PdbRecord.h"
@@ -28,15 +29,32 @@ std::string_view FirstAtom(const TextRange& head)
   return {};
 }
 
-// The first line may be long before the atoms, or prose that begins with a word such as title.
+bool IsWholeAtom(std::string_view line)
+{
+  AtomRecord record;
+  double x;
+  return SplitAtomRecord(line, record) == AtomFault::None &&
+    ParseFinite(record.Numbers[AtomRecord::X], x);
+}
+
+// Names of records in lower case may be words of prose or the names of columns, so an atom has to
+// follow them; those in capitals that begin most files need not.
 bool BeginsAsPdb(const TextRange& head)
 {
   LineScanner scanner(head);
   scanner.Next();
+  for (const std::string_view record : { "ATOM ", "HETATM", "REMARK", "HEADER" })
+  {
+    if (scanner.Line().substr(0, record.size()) == record)
+    {
+      return true;
+    }
+  }
   const auto begins = [&](const char* record)
   { return BeginsWithRecord(scanner.Line().data(), head.End, record); };
-  return begins("ATOM") || begins("HETATM") || begins("REMARK") || begins("HEADER") ||
-    ((begins("TITLE") || begins("CRYST") || begins("MODEL")) && !FirstAtom(head).empty());
+  return (begins("ATOM") || begins("HETATM") || begins("REMARK") || begins("HEADER") ||
+           begins("TITLE") || begins("CRYST") || begins("MODEL")) &&
+    IsWholeAtom(FirstAtom(head));
 }
 
 // HOLE names its atoms QSS SPH, or QC1 SPH for the end of a capsule.
