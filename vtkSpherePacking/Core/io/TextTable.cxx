@@ -196,7 +196,7 @@ void CheckNoShortRow(const TextRange& text, const TableLayout& layout)
     const char* const end = find(p);
     if (IsRow(layout.Rows, p, end) && layout.Between.Split(p).size() < layout.Columns.size())
     {
-      ThrowColumnCount(line, layout, p, p);
+      ThrowColumnCount(line, layout, p);
     }
     p = SkipLineEnd(end, text.End);
   }
