@@ -11,7 +11,6 @@ from arrays import packing_of
 from spherepacking.backend import vtkSpherePackingContacts
 from spherepacking.vtk_tools import ErrorLog
 
-
 NO_VECTORS = np.zeros((3, 3))
 
 
