@@ -9,6 +9,7 @@ import numpy as np
 import pyvista as pv
 from pyvista.core._typing_core import BoundsTuple
 
+from .granular.accessor import GranularOfPacking
 from .look.look import Look
 from .metaballs.accessor import MetaballsOfPacking
 from .packing import check_radii
@@ -29,7 +30,7 @@ if TYPE_CHECKING:
 
 
 @pv.register_dataset_accessor("packing", pv.PolyData)
-class PackingAccessor(BoxesOfPacking, MetaballsOfPacking):
+class PackingAccessor(BoxesOfPacking, GranularOfPacking, MetaballsOfPacking):
     """Points as centres of spheres, the point array ``radius`` as their radii.
 
     Parameters
