@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+import numpy as np
 import pyvista as pv
 
 from .. import checks
@@ -13,8 +14,6 @@ from .images import replicated, with_ghosts, wrapped
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
-
-    import numpy as np
 
 
 class GranularOfPacking:
@@ -123,7 +122,8 @@ class GranularOfPacking:
         >>> packing["coordination"] = packing.packing.coordination(gap=1e-9)
         """
         lines = contacts_of(self._packing, gap, periodic)
-        return lines.point_data["coordination"][: self._packing.n_points]
+        # A copy: PyVista would take a part of an array for the whole when it is added to a packing.
+        return np.array(lines.point_data["coordination"][: self._packing.n_points])
 
     def cell_outline(self) -> pv.PolyData:
         """Edges of the cell, as :meth:`PackingComponent.add` draws them with `show_cell`.

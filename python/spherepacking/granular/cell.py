@@ -50,8 +50,8 @@ class Cell(NamedTuple):
 def _spans(vectors: np.ndarray) -> bool:
     """Whether vectors (k, 3) are linearly independent, by more than rounding."""
     lengths = np.linalg.norm(vectors, axis=1)
-    if not lengths.all():
-        return False
+    if not len(vectors) or not lengths.all():
+        return not len(vectors)
     return float(np.linalg.svd(vectors / lengths[:, None], compute_uv=False)[-1]) > 1e-10
 
 

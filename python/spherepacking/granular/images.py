@@ -44,12 +44,12 @@ def wrapped(packing: pv.PolyData) -> pv.PolyData:
     arrays = result.point_data
     known = arrays.get("image")
     if known is not None and known.shape == image.shape:
-        arrays["image"] = known + image.astype(known.dtype)
+        _add(result, "image", known + image.astype(known.dtype))
     else:
-        arrays["image"] = image.astype(np.int32)
+        _add(result, "image", image.astype(np.int32))
     if all(flag in arrays for flag in _FLAGS):
         for axis, flag in enumerate(_FLAGS):
-            arrays[flag] = arrays[flag] + image[:, axis].astype(arrays[flag].dtype)
+            _add(result, flag, arrays[flag] + image[:, axis].astype(arrays[flag].dtype))
     arrays.active_scalars_name = packing.point_data.active_scalars_name
     return result
 
@@ -101,9 +101,18 @@ def with_ghosts(packing: pv.PolyData) -> pv.PolyData:
             ids.append(chosen)
             shifts.append(np.tile(np.array(shift, np.int32), (len(chosen), 1)))
     result = _taken(packing, cell, np.concatenate(ids), np.concatenate(shifts))
-    result.point_data["ghost"] = np.arange(result.n_points) >= n
+    _add(result, "ghost", np.arange(result.n_points) >= n)
     result.point_data.active_scalars_name = packing.point_data.active_scalars_name
     return result
+
+
+def _add(packing: pv.PolyData, name: str, values: np.ndarray) -> None:
+    """Add a point array, which may be empty: PyVista refuses that."""
+    if len(values):
+        packing.point_data[name] = values
+    else:
+        plain = values.astype(np.uint8) if values.dtype == bool else values
+        packing.GetPointData().AddArray(pv.convert_array(plain, name=name))
 
 
 def _taken(packing: pv.PolyData, cell: Cell, ids: np.ndarray, shifts: np.ndarray) -> pv.PolyData:
@@ -114,7 +123,7 @@ def _taken(packing: pv.PolyData, cell: Cell, ids: np.ndarray, shifts: np.ndarray
     for index in range(source.GetNumberOfArrays()):
         array = source.GetAbstractArray(index)
         if array.IsNumeric():
-            result.point_data[array.GetName()] = packing.point_data[array.GetName()][ids]
+            _add(result, array.GetName(), packing.point_data[array.GetName()][ids])
             continue
         # Upstream: PyVista 0.49 refuses text that is not ASCII, which VTK holds.
         texts = array.NewInstance()
@@ -124,6 +133,6 @@ def _taken(packing: pv.PolyData, cell: Cell, ids: np.ndarray, shifts: np.ndarray
             texts.SetValue(to, array.GetValue(come_from))
         data.AddArray(texts)
     result.GetFieldData().DeepCopy(packing.GetFieldData())
-    result.point_data["cell_shift"] = shifts
+    _add(result, "cell_shift", shifts)
     result.point_data.active_scalars_name = packing.point_data.active_scalars_name
     return result

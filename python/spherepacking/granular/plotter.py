@@ -75,14 +75,17 @@ class GranularOfPlotter:
         if radius is not None:
             radius = checks.above_zero("radius", radius)
         lines = contacts_of(packing, gap, periodic)
-        if radius is None and packing.n_points:
+        if not lines.n_lines:
+            # PyVista refuses an empty mesh, but a packing in which nothing touches is no mistake.
+            nothing = pv.Actor(pv.DataSetMapper(pv.PolyData()))
+            plotter.add_actor(nothing, name=kwargs.get("name"), render=False)
+            return nothing
+        if radius is None:
             radius = 0.2 * float(np.median(packing.point_data["radius"]))
-        if lines.n_lines and radius:
+        if radius > 0.0:
             lines = lines.tube(radius=radius, n_sides=16, capping=False)
         if "color" not in kwargs:
             kwargs.setdefault("scalars", "gap")
-        if not lines.n_cells:
-            kwargs.pop("scalars", None)
         return plotter.add_mesh(lines, **kwargs)
 
     def _cell_to_show(
