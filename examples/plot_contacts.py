@@ -53,7 +53,7 @@ plotter.packing.add(
 plotter.subplot(0, 1)
 plotter.packing.add_contacts(
     packing,
-    radius=0.06,
+    tube_radius=0.06,
     scalars="overlap",
     cmap="inferno_r",
     specular=0.3,

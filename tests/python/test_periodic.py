@@ -243,6 +243,18 @@ def test_contacts_need_radii():
         pv.PolyData(np.zeros((2, 3))).packing.contacts()
 
 
+def test_any_dataset_has_contacts():
+    grid = pv.ImageData(dimensions=(3, 3, 3))
+    assert grid.packing.contacts(radius=0.5).n_lines == 54
+    assert grid.packing.coordination(radius=0.5).tolist().count(6) == 1
+    grid.field_data["cell_vectors"] = 3 * np.eye(3)
+    assert grid.packing.coordination(radius=0.5).tolist() == 27 * [6]
+    assert grid.packing.replicate(2).n_points == 54
+    assert grid.packing.wrap().n_points == 27
+    assert grid.packing.ghosts(radius=0.5).n_points == 64
+    assert grid.packing.cell_outline().length == pytest.approx(3 * 3**0.5)
+
+
 # --- cells that are none --------------------------------------------------------------------------
 
 
@@ -342,7 +354,7 @@ def test_a_live_picture_has_a_cell(plotter):
 
 def test_contacts_as_tubes(plotter):
     packing = packing_of([[0, 0, 0], [0.9, 0, 0], [0, 3, 0]])
-    actor = plotter.packing.add_contacts(packing, radius=0.1)
+    actor = plotter.packing.add_contacts(packing, tube_radius=0.1)
     assert plotter.bounds == pytest.approx((0, 0.9, -0.1, 0.1, -0.1, 0.1))
     assert actor.mapper.array_name == "gap"
     colored = plotter.packing.add_contacts(packing, scalars="overlap", cmap="hot")
@@ -357,5 +369,5 @@ def test_no_contacts_no_tubes(plotter):
 
 
 def test_tubes_have_a_radius(plotter):
-    with pytest.raises(ValueError, match="radius: found 0, expected a number above 0"):
-        plotter.packing.add_contacts(packing_of([[0, 0, 0]]), radius=0)
+    with pytest.raises(ValueError, match="tube_radius: found 0, expected a number above 0"):
+        plotter.packing.add_contacts(packing_of([[0, 0, 0]]), tube_radius=0)

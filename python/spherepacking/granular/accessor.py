@@ -8,12 +8,15 @@ import numpy as np
 import pyvista as pv
 
 from .. import checks
+from ..datasets import plain_packing
 from .cell import cell_of, outline_of
 from .contacts import contacts_of
 from .images import replicated, with_ghosts, wrapped
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
+
+    from ..radii import RadiusLike
 
 
 class GranularOfPacking:
@@ -23,13 +26,19 @@ class GranularOfPacking:
     (3,) and ``cell_periodic`` (3,), as files that have one bring it.
     """
 
-    _packing: pv.PolyData
+    _dataset: pv.DataSet | pv.MultiBlock
+
+    if TYPE_CHECKING:
+
+        def with_radius(self, radius: RadiusLike | None = None) -> pv.PolyData:
+            """Return the spheres, see PackingAccessor."""
 
     def contacts(
         self,
         gap: float = 0.0,
         periodic: bool | Sequence[bool] | None = None,
         *,
+        radius: RadiusLike | None = None,
         progress: bool = False,
     ) -> pv.PolyData:
         """Lines between the centres of all spheres that touch, whatever their sizes.
@@ -49,6 +58,8 @@ class GranularOfPacking:
         periodic : bool or sequence of bool, optional
             Whether the packing is repeated along the vectors of its cell, or along a, b and c each;
             by default as the field array ``cell_periodic`` says, and not without a cell.
+        radius : str, float, array_like or mapping, optional
+            Radii, as in :meth:`PackingAccessor.with_radius`.
         progress : bool, default: False
             Show a progress bar. Ctrl-C stops the work with or without.
 
@@ -93,16 +104,20 @@ class GranularOfPacking:
         >>> lines["i"].tolist(), lines["j"].tolist(), lines["overlap"].tolist()
         ([0], [1], [0.5])
         """
-        return contacts_of(self._packing, gap, periodic, progress=progress)
+        return contacts_of(self.with_radius(radius), gap, periodic, progress=progress)
 
     def coordination(
-        self, gap: float = 0.0, periodic: bool | Sequence[bool] | None = None
+        self,
+        gap: float = 0.0,
+        periodic: bool | Sequence[bool] | None = None,
+        *,
+        radius: RadiusLike | None = None,
     ) -> np.ndarray:
         """Count the contacts of every sphere.
 
         Parameters
         ----------
-        gap, periodic
+        gap, periodic, radius
             As in :meth:`contacts`.
 
         Returns
@@ -121,9 +136,10 @@ class GranularOfPacking:
         >>> packing = spherepacking.apollonian(3)
         >>> packing["coordination"] = packing.packing.coordination(gap=1e-9)
         """
-        lines = contacts_of(self._packing, gap, periodic)
+        packing = self.with_radius(radius)
+        lines = contacts_of(packing, gap, periodic)
         # A copy: PyVista would take a part of an array for the whole when it is added to a packing.
-        return np.array(lines.point_data["coordination"][: self._packing.n_points])
+        return np.array(lines.point_data["coordination"][: packing.n_points])
 
     def cell_outline(self) -> pv.PolyData:
         """Edges of the cell, as :meth:`PackingComponent.add` draws them with `show_cell`.
@@ -147,7 +163,7 @@ class GranularOfPacking:
         >>> packing.packing.cell_outline().n_lines
         12
         """
-        return outline_of(cell_of(self._packing))
+        return outline_of(cell_of(self._dataset))
 
     def wrap(self) -> pv.PolyData:
         """Move spheres whose centres lie outside the cell into it, by its periodic vectors.
@@ -175,7 +191,7 @@ class GranularOfPacking:
         >>> wrapped.points.tolist(), wrapped["image"].tolist()
         ([[0.5, 0.5, 0.5]], [[2, 0, 0]])
         """
-        return wrapped(self._packing)
+        return wrapped(plain_packing(self._dataset))
 
     def replicate(self, nx: int = 1, ny: int = 1, nz: int = 1) -> pv.PolyData:
         """Put copies of the packing side by side along the vectors of its cell.
@@ -207,14 +223,21 @@ class GranularOfPacking:
         [[0.5, 0.5, 0.5], [0.5, 1.5, 0.5], [1.5, 0.5, 0.5], [1.5, 1.5, 0.5]]
         """
         counts = {"nx": nx, "ny": ny, "nz": nz}
-        return replicated(self._packing, [checks.count_of(*item) for item in counts.items()])
+        return replicated(
+            plain_packing(self._dataset), [checks.count_of(*item) for item in counts.items()]
+        )
 
-    def ghosts(self) -> pv.PolyData:
+    def ghosts(self, *, radius: RadiusLike | None = None) -> pv.PolyData:
         """Add the images that complete spheres at periodic faces, for a picture.
 
         A sphere that sticks out of a periodic face of the cell comes in again at the opposite one:
         images whose spheres reach into the cell are added. Spheres whose centres lie outside are
         left there, see :meth:`wrap`.
+
+        Parameters
+        ----------
+        radius : str, float, array_like or mapping, optional
+            Radii, as in :meth:`PackingAccessor.with_radius`.
 
         Returns
         -------
@@ -241,4 +264,4 @@ class GranularOfPacking:
         >>> packing.packing.ghosts().points.tolist()
         [[0.1, 0.5, 0.5], [1.1, 0.5, 0.5]]
         """
-        return with_ghosts(self._packing)
+        return with_ghosts(self.with_radius(radius))

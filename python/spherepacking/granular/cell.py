@@ -55,7 +55,7 @@ def _spans(vectors: np.ndarray) -> bool:
     return float(np.linalg.svd(vectors / lengths[:, None], compute_uv=False)[-1]) > 1e-10
 
 
-def _values(packing: pv.PolyData, name: str, shape: tuple[int, ...]) -> np.ndarray:
+def _values(packing: pv.DataObject, name: str, shape: tuple[int, ...]) -> np.ndarray:
     """Finite numbers of a field array, or a ValueError."""
     values = np.asarray(packing.field_data[name], float)
     if values.size != np.prod(shape) or not np.isfinite(values).all():
@@ -64,14 +64,14 @@ def _values(packing: pv.PolyData, name: str, shape: tuple[int, ...]) -> np.ndarr
     return values.reshape(shape)
 
 
-def find_cell(packing: pv.PolyData) -> Cell | None:
+def find_cell(packing: pv.DataObject) -> Cell | None:
     """The cell of a packing, or None if it has none.
 
     Without ``cell_origin`` that is 0, without ``cell_periodic`` all vectors are periodic.
 
     Parameters
     ----------
-    packing : pyvista.PolyData
+    packing : pyvista.DataObject
         Packing with or without the field array ``cell_vectors``.
 
     Returns
@@ -99,7 +99,7 @@ def find_cell(packing: pv.PolyData) -> Cell | None:
     return cell
 
 
-def cell_of(packing: pv.PolyData) -> Cell:
+def cell_of(packing: pv.DataObject) -> Cell:
     """The cell of a packing, or a ValueError if it has none."""
     cell = find_cell(packing)
     if cell is None:

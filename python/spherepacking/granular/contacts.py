@@ -8,7 +8,7 @@ import numpy as np
 import pyvista as pv
 
 from .. import checks
-from ..packing import check_radii, packing_of
+from ..packing import check_radii
 from ..vtk_tools import update
 from .cell import cell_of, find_cell, set_cell
 
@@ -29,7 +29,6 @@ def contacts_of(
     """Lines between spheres that touch; arguments as in ``packing.packing.contacts``."""
     from ..backend import vtkSpherePackingContacts
 
-    packing = packing_of(packing)
     gap = checks.number_of("gap", gap, *_GAP_LIMITS)
     progress = checks.flag_of("progress", progress)
     packing = with_periodic(packing, periodic)

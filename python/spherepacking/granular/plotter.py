@@ -8,7 +8,7 @@ import numpy as np
 import pyvista as pv
 
 from .. import checks
-from ..packing import packing_of
+from ..datasets import packing_of
 from .cell import cell_of, outline_of
 from .contacts import contacts_of
 
@@ -17,6 +17,8 @@ if TYPE_CHECKING:
     from typing import Any
 
     from pyvista.plotting._typing import ColorLike
+
+    from ..radii import RadiusLike
 
 
 class GranularOfPlotter:
@@ -33,7 +35,8 @@ class GranularOfPlotter:
         gap: float = 0.0,
         periodic: bool | Sequence[bool] | None = None,
         *,
-        radius: float | None = None,
+        tube_radius: float | None = None,
+        radius: RadiusLike | None = None,
         **kwargs: Any,
     ) -> pv.Actor:
         """Add tubes between the centres of spheres that touch.
@@ -41,10 +44,10 @@ class GranularOfPlotter:
         Parameters
         ----------
         packing : pyvista.PolyData
-            Centres (n, 3) and point array ``radius`` (n,).
-        gap, periodic
-            As in ``packing.packing.contacts``.
-        radius : float, optional
+            Centres (n, 3) and point array ``radius`` (n,), or another dataset, as in :meth:`add`.
+        gap, periodic, radius
+            As in ``packing.packing.contacts``; `radius` is that of the spheres.
+        tube_radius : float, optional
             Radius of the tubes; by default a fifth of the spheres' median radius.
         **kwargs : dict, optional
             Arguments of :meth:`pyvista.Plotter.add_mesh`. The tubes have the arrays of
@@ -71,19 +74,19 @@ class GranularOfPlotter:
         >>> plotter.close()
         """
         plotter = self.plotter
-        packing = packing_of(packing)
-        if radius is not None:
-            radius = checks.above_zero("radius", radius)
+        packing = packing_of(packing, radius)
+        if tube_radius is not None:
+            tube_radius = checks.above_zero("tube_radius", tube_radius)
         lines = contacts_of(packing, gap, periodic)
         if not lines.n_lines:
             # PyVista refuses an empty mesh, but a packing in which nothing touches is no mistake.
             nothing = pv.Actor(pv.DataSetMapper(pv.PolyData()))
             plotter.add_actor(nothing, name=kwargs.get("name"), render=False)
             return nothing
-        if radius is None:
-            radius = 0.2 * float(np.median(packing.point_data["radius"]))
-        if radius > 0.0:
-            lines = lines.tube(radius=radius, n_sides=16, capping=False)
+        if tube_radius is None:
+            tube_radius = 0.2 * float(np.median(packing.point_data["radius"]))
+        if tube_radius > 0.0:
+            lines = lines.tube(radius=tube_radius, n_sides=16, capping=False)
         if "color" not in kwargs:
             kwargs.setdefault("scalars", "gap")
         return plotter.add_mesh(lines, **kwargs)
