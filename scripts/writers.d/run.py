@@ -86,7 +86,11 @@ def main() -> int:
         folder = installed.folder / "written" / name
         shutil.rmtree(folder, ignore_errors=True)
         folder.mkdir(parents=True)
-        version, files = program.write(installed, folder)
+        try:
+            version, files = program.write(installed, folder)
+        except (OSError, RuntimeError) as error:
+            failures.append(f"{name}: {error}")
+            continue
         for written in files:
             cells, note = _check(folder / written.name, written)
             cells += [""] * (5 - len(cells))

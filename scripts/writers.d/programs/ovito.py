@@ -18,13 +18,18 @@ import ovito
 from ovito.data import DataCollection
 from ovito.io import export_file
 
-data = DataCollection()
-particles = data.create_particles(count=3)
-particles.create_property("Position", data=[[0.1, 0.2, 0.3], [1 / 3, 2.5, 3.5], [-0.25, 1, 4]])
-particles.create_property("Radius", data=[0.5, 0.123456789012345, 0.25])
-particles.create_property("Particle Identifier", data=[3, 1, 2])
-particles.create_property("Velocity", data=[[1, 0, 0]] * 3)
-data.create_cell(np.array([[4, 0.5, 0, -1], [0, 5, 0, 0], [0, 0, 6, 0]]), pbc=(True, True, False))
+def spheres(origin, periodic):
+    data = DataCollection()
+    particles = data.create_particles(count=3)
+    particles.create_property("Position", data=[[0.1, 0.2, 0.3], [1 / 3, 2.5, 3.5], [-0.25, 1, 4]])
+    particles.create_property("Radius", data=[0.5, 0.123456789012345, 0.25])
+    particles.create_property("Particle Identifier", data=[3, 1, 2])
+    particles.create_property("Velocity", data=[[1, 0, 0]] * 3)
+    data.create_cell(np.array([[4, 0.5, 0], [0, 5, 0], [0, 0, 6]]) @ np.eye(3, 4)
+                     + np.outer(origin, [0, 0, 0, 1]), pbc=periodic)
+    return data
+
+data = spheres([-1, 0, 0], (True, True, False))
 columns = ["Particle Identifier", "Position.X", "Position.Y", "Position.Z", "Radius",
            "Velocity.X", "Velocity.Y", "Velocity.Z"]
 export_file(data, "general.dump", "lammps/dump", columns=columns)
@@ -33,8 +38,9 @@ export_file(data, "extended.xyz", "xyz", columns=columns)
 export_file(data, "precise.xyz", "xyz", columns=columns, precision=17)
 export_file(data, "sphere.data", "lammps/data", atom_style="sphere")
 export_file(data, "exported.imd", "imd", columns=columns)
-data.cell_[:, 3] = data.cell[:, :3] @ [-0.5, -0.5, -0.5]
+data = spheres([-2.25, -2.5, -3], (True, True, True))  # around zero, as that format has it
 export_file(data, "exported.gsd", "gsd/hoomd")
+particles = data.particles
 positions = np.float32(particles.positions).astype(float).tolist()
 radii = (0.5 * np.float32(2 * np.array(particles["Radius"])).astype(float)).tolist()
 cell = dict(vectors=data.cell[:, :3].T.tolist(), origin=data.cell[:, 3].tolist(),
