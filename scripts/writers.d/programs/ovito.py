@@ -13,23 +13,19 @@ if TYPE_CHECKING:
 
 _SCRIPT = """
 import json
+import gsd.hoomd
 import numpy as np
 import ovito
 from ovito.data import DataCollection
 from ovito.io import export_file
 
-def spheres(origin, periodic):
-    data = DataCollection()
-    particles = data.create_particles(count=3)
-    particles.create_property("Position", data=[[0.1, 0.2, 0.3], [1 / 3, 2.5, 3.5], [-0.25, 1, 4]])
-    particles.create_property("Radius", data=[0.5, 0.123456789012345, 0.25])
-    particles.create_property("Particle Identifier", data=[3, 1, 2])
-    particles.create_property("Velocity", data=[[1, 0, 0]] * 3)
-    data.create_cell(np.array([[4, 0.5, 0], [0, 5, 0], [0, 0, 6]]) @ np.eye(3, 4)
-                     + np.outer(origin, [0, 0, 0, 1]), pbc=periodic)
-    return data
-
-data = spheres([-1, 0, 0], (True, True, False))
+data = DataCollection()
+particles = data.create_particles(count=3)
+particles.create_property("Position", data=[[0.1, 0.2, 0.3], [1 / 3, 2.5, 3.5], [-0.25, 1, 4]])
+particles.create_property("Radius", data=[0.5, 0.123456789012345, 0.25])
+particles.create_property("Particle Identifier", data=[3, 1, 2])
+particles.create_property("Velocity", data=[[1, 0, 0]] * 3)
+data.create_cell(np.array([[4, 0.5, 0, -1], [0, 5, 0, 0], [0, 0, 6, 0]]), pbc=(True, True, False))
 columns = ["Particle Identifier", "Position.X", "Position.Y", "Position.Z", "Radius",
            "Velocity.X", "Velocity.Y", "Velocity.Z"]
 export_file(data, "general.dump", "lammps/dump", columns=columns)
@@ -38,15 +34,18 @@ export_file(data, "extended.xyz", "xyz", columns=columns)
 export_file(data, "precise.xyz", "xyz", columns=columns, precision=17)
 export_file(data, "sphere.data", "lammps/data", atom_style="sphere")
 export_file(data, "exported.imd", "imd", columns=columns)
-data = spheres([-2.25, -2.5, -3], (True, True, True))  # around zero, as that format has it
 export_file(data, "exported.gsd", "gsd/hoomd")
-particles = data.particles
-positions = np.float32(particles.positions).astype(float).tolist()
-radii = (0.5 * np.float32(2 * np.array(particles["Radius"])).astype(float)).tolist()
-cell = dict(vectors=data.cell[:, :3].T.tolist(), origin=data.cell[:, 3].tolist(),
-            periodic=[True, True, True])
+# That format has its box around zero and in terms of its own, and OVITO sorts by identifier.
+with gsd.hoomd.open("exported.gsd") as file:
+    frame = file[0]
+lx, ly, lz, xy, xz, yz = frame.configuration.box.astype(float)
+vectors = np.array([[lx, 0, 0], [xy * ly, ly, 0], [xz * lz, yz * lz, lz]])
+step = dict(positions=frame.particles.position.astype(float).tolist(),
+            radii=(0.5 * frame.particles.diameter.astype(float)).tolist(),
+            cell=dict(vectors=vectors.tolist(), origin=(-0.5 * vectors.sum(axis=0)).tolist(),
+                      periodic=[True, True, True]))
 with open("told.json", "w") as file:
-    json.dump({"exported.gsd": [dict(positions=positions, radii=radii, cell=cell)]}, file)
+    json.dump({"exported.gsd": [step]}, file)
 print("version", ovito.version_string)
 """
 _EDGES = [[4, 0, 0], [0.5, 5, 0], [0, 0, 6]]
