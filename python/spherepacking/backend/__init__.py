@@ -84,6 +84,7 @@ if TYPE_CHECKING:
         vtkSpherePacker,
         vtkSpherePackingBoxAlgorithm,
         vtkSpherePackingBVH,
+        vtkSpherePackingContacts,
         vtkSpherePackingGrid,
         vtkSpherePackingInput,
         vtkSpherePackingPathTracer,
@@ -121,6 +122,7 @@ else:
     vtkMetaballField = _core.vtkMetaballField
     vtkSpherePacker = _core.vtkSpherePacker
     vtkSpherePackingBVH = _core.vtkSpherePackingBVH
+    vtkSpherePackingContacts = _core.vtkSpherePackingContacts
     vtkSpherePackingGrid = _core.vtkSpherePackingGrid
     vtkSpherePackingInput = _core.vtkSpherePackingInput
     vtkSpherePackingPathTracer = _core.vtkSpherePackingPathTracer

@@ -40,7 +40,7 @@ def _load(*, drawing: bool = False) -> None:
         import pyvista as pv
 
         from .. import backend  # noqa: F401
-        from ..files import image, readers, writers  # noqa: F401
+        from ..files import image, steps, writers  # noqa: F401
 
         if drawing:
             pv.Plotter(off_screen=True).close()
@@ -78,7 +78,7 @@ def info(packing: Path, /) -> None:
     """
     _load()
 
-    from ..files.readers import read
+    from ..files.steps import read
     from .info import describe
 
     print(describe(read(packing, progress=sys.stderr.isatty())))
@@ -97,7 +97,7 @@ def convert(source: Path, target: Path, /) -> None:
     """
     _load()
 
-    from ..files.readers import read
+    from ..files.steps import read
     from ..files.writers import write
 
     source, target = source.expanduser(), target.expanduser()

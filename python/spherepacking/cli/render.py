@@ -9,7 +9,7 @@ import pyvista as pv
 
 from ..checks import color_of
 from ..files.image import check_output
-from ..files.readers import read
+from ..files.steps import read
 from ..look.look import Look
 from ..vtk_tools import window_of
 from .camera import aim, check_extent, fit

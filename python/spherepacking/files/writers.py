@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import pyvista as pv
 
+from ..checks import kind_of
 from ..vtk_tools import errors_raised
 from .errors import PackingFileError
 
@@ -45,7 +46,7 @@ def write(packing: pv.PolyData, path: str | os.PathLike[str]) -> None:
     from ..backend import vtkSpherePackingWriter
 
     if not isinstance(packing, pv.PolyData):
-        raise TypeError(f"packing: found a {type(packing).__name__}, expected a PolyData")
+        raise TypeError(f"packing: found {kind_of(packing)}, expected a PolyData")
     path = Path(path).expanduser()
     if not path.parent.is_dir():
         raise FileNotFoundError(f"{path}: there is no folder {path.parent}")

@@ -2,6 +2,8 @@
 #include "bridge/PackingArrays.h"
 
 #include "base/HugePages.h"
+#include "bridge/ColorArrays.h"
+#include "bridge/FieldData.h"
 #include "bridge/VectorArrays.h"
 
 #include "vtkCellArray.h"
@@ -58,6 +60,16 @@ void SetVertices(vtkCellArray* vertices, vtkIdType count)
   vertices->SetData(1, indices);
 }
 
+// Adds an array whose name no other has. VTK compares the name with all others, which would take a
+// time that is quadratic in the number of arrays, unless there is none yet.
+void AddUnlookedFor(vtkPointData* data, vtkAbstractArray* array)
+{
+  const std::string name = array->GetName();
+  array->SetName(nullptr);
+  data->AddArray(array);
+  array->SetName(name.c_str());
+}
+
 void AddCell(vtkFieldData* data, const SimulationCell& cell)
 {
   vtkNew<vtkDoubleArray> vectors;
@@ -96,11 +108,13 @@ double* PackingArrays::AddExtra(const std::string& name)
 }
 
 //------------------------------------------------------------------------------
-void PackingArrays::RemoveExtra(const double* values)
+const double* PackingArrays::FindExtra(const std::string& name) const
 {
   const auto found = std::find_if(this->Extras.begin(), this->Extras.end(),
-    [values](vtkDataArray* array) { return array->GetVoidPointer(0) == values; });
-  this->Extras.erase(found);
+    [&name](vtkDataArray* array) { return array->GetName() == name; });
+  vtkDoubleArray* const array =
+    found == this->Extras.end() ? nullptr : vtkDoubleArray::FastDownCast(*found);
+  return array ? array->GetPointer(0) : nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -111,6 +125,14 @@ std::string* PackingArrays::AddText(const std::string& name)
   array->SetNumberOfValues(this->Count);
   this->Texts.push_back(array);
   return array->GetPointer(0);
+}
+
+//------------------------------------------------------------------------------
+void PackingArrays::RemoveText(const std::string* values)
+{
+  const auto found = std::find_if(this->Texts.begin(), this->Texts.end(),
+    [values](vtkStringArray* array) { return array->GetPointer(0) == values; });
+  this->Texts.erase(found);
 }
 
 //------------------------------------------------------------------------------
@@ -135,25 +157,28 @@ void PackingArrays::MoveTo(vtkPolyData* output)
 
   vtkPointData* data = output->GetPointData();
   data->SetScalars(this->RadiusArray);
+  data->AllocateArrays(static_cast<int>(1 + this->Extras.size() + this->Texts.size()));
   for (const auto& extra : this->Extras)
   {
-    data->AddArray(extra);
+    AddUnlookedFor(data, extra);
   }
   for (const auto& text : this->Texts)
   {
-    data->AddArray(text);
+    AddUnlookedFor(data, text);
   }
   AddVectors(data);
+  AddColors(data);
   if (this->Cell)
   {
     AddCell(output->GetFieldData(), *this->Cell);
   }
   if (this->Time)
   {
-    vtkNew<vtkDoubleArray> time;
-    time->SetName("TimeValue");
-    time->InsertNextValue(*this->Time);
-    output->GetFieldData()->AddArray(time);
+    AddFieldArray(output, "TimeValue", { *this->Time });
+  }
+  for (const auto& [name, value] : this->Fields)
+  {
+    AddFieldArray(output, name.c_str(), { value });
   }
 }
 }

@@ -8,6 +8,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 class vtkDataArray;
@@ -47,20 +48,31 @@ public:
   template <typename Real>
   Real* Radii() const
   {
-    return !this->RadiusArray ? nullptr : vtkAOSDataArrayTemplate<Real>::FastDownCast(this->RadiusArray)->GetPointer(0);
+    return !this->RadiusArray
+      ? nullptr
+      : vtkAOSDataArrayTemplate<Real>::FastDownCast(this->RadiusArray)->GetPointer(0);
   }
 
   /// Adds a further array, uninitialised, and returns its values.
   double* AddExtra(const std::string& name);
 
-  /// Removes the further array with these values.
-  void RemoveExtra(const double* values);
+  /// The values of the further array of numbers of that name; null without one.
+  const double* FindExtra(const std::string& name) const;
 
   /// Adds a further array that is filled already.
   void AddArray(vtkSmartPointer<vtkDataArray> array) { this->Extras.push_back(std::move(array)); }
 
   /// Adds a further array of text, and returns its values, which are empty.
   std::string* AddText(const std::string& name);
+
+  /// Removes the further array of text with these values.
+  void RemoveText(const std::string* values);
+
+  /// Adds a field array of one number, by which a reader tells of the file.
+  void AddFieldValue(const std::string& name, double value)
+  {
+    this->Fields.push_back({ name, value });
+  }
 
   /// The simulation cell becomes the field arrays `cell_vectors` (3 tuples a, b, c), `cell_origin`
   /// (3 values) and `cell_periodic` (3 bytes, 1 for periodic); the time `TimeValue` (1 value), the
@@ -69,7 +81,8 @@ public:
   void SetTime(double time) { this->Time = time; }
 
   /// Moves all arrays to `output`, with a vertex per sphere. Components that stand in arrays of
-  /// their own, such as vx, vy, vz, also become one array of vectors, see AddVectors().
+  /// their own, such as vx, vy, vz or R, G, B, also become one array, see AddVectors() and
+  /// AddColors().
   void MoveTo(vtkPolyData* output);
 
 private:
@@ -81,6 +94,7 @@ private:
   std::vector<vtkSmartPointer<vtkStringArray>> Texts;
   std::optional<SimulationCell> Cell;
   std::optional<double> Time;
+  std::vector<std::pair<std::string, double>> Fields;
 };
 }
 

@@ -9,6 +9,7 @@
 #include <array>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 namespace spherepacking
@@ -52,14 +53,18 @@ Vector VectorOf(const std::string& first)
   return {};
 }
 
-void AddVector(vtkPointData* data, const Vector& vector)
+// Arrays by name. VTK would compare with every name.
+using ArraysByName = std::unordered_map<std::string, vtkAbstractArray*>;
+
+void AddVector(vtkPointData* data, ArraysByName& arrays, const Vector& vector)
 {
   std::array<const double*, 3> from;
   vtkIdType count = 0;
   for (int i = 0; i < 3; ++i)
   {
+    const auto found = arrays.find(vector.Components[i]);
     vtkDoubleArray* const part =
-      vtkDoubleArray::FastDownCast(data->GetAbstractArray(vector.Components[i].c_str()));
+      found == arrays.end() ? nullptr : vtkDoubleArray::FastDownCast(found->second);
     if (!part || part->GetNumberOfComponents() != 1)
     {
       return;
@@ -67,7 +72,7 @@ void AddVector(vtkPointData* data, const Vector& vector)
     from[i] = part->GetPointer(0);
     count = part->GetNumberOfTuples();
   }
-  if (data->HasArray(vector.Name.c_str()))
+  if (arrays.count(vector.Name) > 0)
   {
     return;
   }
@@ -88,6 +93,7 @@ void AddVector(vtkPointData* data, const Vector& vector)
       }
     });
   data->AddArray(array);
+  arrays.emplace(vector.Name, array);
 }
 }
 
@@ -95,9 +101,11 @@ void AddVector(vtkPointData* data, const Vector& vector)
 void AddVectors(vtkPointData* data)
 {
   std::vector<Vector> vectors = KnownVectors();
+  ArraysByName arrays;
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)
   {
     const char* const name = data->GetAbstractArray(i)->GetName();
+    arrays.emplace(name ? name : "", data->GetAbstractArray(i));
     if (const Vector vector = VectorOf(name ? name : ""); !vector.Name.empty())
     {
       vectors.push_back(vector);
@@ -105,7 +113,7 @@ void AddVectors(vtkPointData* data)
   }
   for (const Vector& vector : vectors)
   {
-    AddVector(data, vector);
+    AddVector(data, arrays, vector);
   }
 }
 }

@@ -60,7 +60,7 @@ auto WithFileName(const std::string& file, const Work& work)
   }
 }
 
-/// The bytes [begin, end) in single quotes, clipped, unprintable ones as \xNN.
+/// The bytes [begin, end) in single quotes, clipped, and unprintable ones as \xNN.
 std::string Quote(const char* begin, const char* end);
 }
 

@@ -2,9 +2,13 @@
 #include "io/PackingFormats.h"
 
 #include "io/FileBytes.h"
+#include "io/LammpsDataFile.h"
+#include "io/LineCursor.h"
+#include "io/MercuryHeader.h"
 #include "io/PackingFileError.h"
 #include "io/TextChunks.h"
 #include "io/Utf8Mark.h"
+#include "io/XyzComment.h"
 
 #include "vtksys/SystemTools.hxx"
 
@@ -53,6 +57,32 @@ Format FormatOfText(const char* begin, const char* end)
   }
   return Format::Spheres;
 }
+
+// Whether a text begins with a count, and a comment that `accepts` takes.
+template <typename Accepts>
+bool BeginsAsXyz(const char* begin, const char* end, const Accepts& accepts)
+{
+  LineCursor lines({ begin, end });
+  while (lines.Step() && lines.Fields().empty())
+  {
+  }
+  return XyzCount(lines.Line()) && lines.Step() && accepts(lines.Line());
+}
+
+// Detects the formats of simulation programs by lines that no table begins with.
+Format FormatOfProgram(const std::string& file, const char* begin, const char* end)
+{
+  begin = SkipUtf8Mark(begin, end);
+  using vtksys::SystemTools;
+  const std::string extension = SystemTools::LowerCase(SystemTools::GetFilenameLastExtension(file));
+  const bool isXyz = extension == ".xyz" || extension == ".extxyz" || extension == ".exyz";
+  const auto hasProperties = [isXyz](std::string_view comment)
+  { return isXyz || XyzComment(comment).Properties(); };
+  return BeginsAsXyz(begin, end, hasProperties) ? Format::Xyz
+    : BeginsAsLammpsData(begin, end)            ? Format::LammpsData
+    : BeginsAsMercury(begin, end)               ? Format::Mercury
+                                                : Format::Spheres;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -78,6 +108,10 @@ Format GuessFormat(const std::string& file)
   constexpr unsigned long long head = 1 << 16;
   const FileBytes bytes = FileBytes::ReadHead(file, head);
   const Format ofText = FormatOfText(bytes.Begin(), bytes.End());
+  if (format == Format::Auto && ofText == Format::Spheres)
+  {
+    return FormatOfProgram(file, bytes.Begin(), bytes.End());
+  }
   // Some programs write dumps with the extension .sph, too.
   return format == Format::SphereTree && ofText != Format::Dump ? format : ofText;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/FileBytes.h"
+#include "io/NamelessColumns.h"
 #include "io/PackingFileError.h"
 #include "io/PackingFormats.h"
 #include "io/TableDetector.h"
@@ -14,11 +15,20 @@ PackingArrays ParseTextTable(
   const FileBytes& bytes, Format format, const ReadOptions& options, Progress& progress)
 {
   TextRange text{ SkipUtf8Mark(bytes.Begin(), bytes.End()), bytes.End() };
-  const TableLayout layout = DetectTable(format, text);
+  const TableLayout layout = DetectTable(format, options, text);
   progress.SetRange(0.2, 0.3);
   const auto chunks = CutIntoChunks(text, layout.Rows, options.ChunkSize, 0, progress);
+  if (layout.IsNameless)
+  {
+    CheckFirstColumn(text, layout);
+  }
   progress.SetRange(0.3, 1.0);
-  return ParseTable(bytes.End(), layout, chunks, options.Single, progress);
+  PackingArrays arrays = ParseTable(bytes.End(), layout, chunks, options.Single, progress);
+  if (layout.IsNameless)
+  {
+    CheckFirstRow(text, layout, arrays);
+  }
+  return arrays;
 }
 }
 

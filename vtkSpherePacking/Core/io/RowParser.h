@@ -2,14 +2,20 @@
 #ifndef RowParser_h
 #define RowParser_h
 
+#include "base/Dispatch.h"
 #include "io/Number.h"
+#include "io/PrintableText.h"
 #include "io/ShortRow.h"
+#include "io/ShortRows.h"
 #include "io/TableLayout.h"
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <memory>
+#include <string>
 #include <vector>
 
 namespace spherepacking
@@ -30,6 +36,15 @@ struct RowFault
   const char* At; ///< where the offending field begins; null if no field alone is wrong
 };
 
+/// Where the further columns of a table go. Each has an element per column of the table.
+struct ExtraColumns
+{
+  std::vector<double*> Numbers;    ///< null where the role is not Extra
+  std::vector<std::string*> Texts; ///< null where the role is not Text
+  /// Set if a field of a column whose role is Extra is no number.
+  std::unique_ptr<std::atomic<bool>[]> IsText;
+};
+
 /**
  * Parses rows of one layout into arrays. `Real` is the precision of centres and radii; `Scaled`
  * says that coordinates are fractions of the layout's box.
@@ -38,17 +53,15 @@ template <typename Real, bool Scaled>
 class RowParser
 {
 public:
-  /// `extras` has a pointer for each column whose role is Extra, and null for the others. If a
-  /// field of such a column is no number, the column's element of `isText` is set.
+  /// `radii` is null if no column holds any.
   RowParser(const TableLayout& layout, const char* textEnd, Real* centers, Real* radii,
-    std::vector<double*> extras, std::atomic<bool>* isText)
+    const ExtraColumns& extras)
     : Layout(layout)
     , Between(layout.Between)
     , TextEnd(textEnd)
     , Centers(centers)
     , Radii(radii)
-    , Extras(std::move(extras))
-    , IsText(isText)
+    , Extras(extras)
   {
     for (const Column& column : layout.Columns)
     {
@@ -57,6 +70,21 @@ public:
     this->IsPlain = !Scaled &&
       this->Roles ==
         std::vector<ColumnRole>{ ColumnRole::X, ColumnRole::Y, ColumnRole::Z, ColumnRole::Radius };
+  }
+
+  /// Parses lines from `p` on into rows `row` and so on of the arrays, moving `row` on, as long as
+  /// they are of the most common form; returns the first that is not. `end` is the end of a line.
+  const char* ParsePlainRows(const char* p, const char* end, vtkIdType& row) const
+  {
+#if defined(SPHEREPACKING_HAS_AVX2)
+    if (this->IsPlain && HasAvx2())
+    {
+      long long count = 0;
+      p = ParseShortRowsAvx2(p, end, this->Centers + 3 * row, this->Radii + row, count);
+      row += count;
+    }
+#endif
+    return p;
   }
 
   /// Parses the line at `p` into row `row` of the arrays. Returns the line end, or null with
@@ -68,7 +96,7 @@ public:
       return end;
     }
     const int count = static_cast<int>(this->Roles.size());
-    Coordinate center[3];
+    Coordinate center[3] = {}; // two-dimensional rows have no z
     p = this->Between.SkipBlanks(p);
     for (int column = 0; column < count; ++column)
     {
@@ -90,7 +118,9 @@ public:
       }
       else
       {
-        p = role == ColumnRole::Extra ? this->ParseExtra(p, column, row) : this->SkipField(p);
+        p = role == ColumnRole::Extra ? this->ParseExtra(p, column, row)
+          : role == ColumnRole::Text  ? this->StoreText(p, column, row)
+                                      : this->SkipField(p);
       }
       if (!p)
       {
@@ -204,7 +234,7 @@ private:
   // An empty field is NaN; any other that is no number makes the whole column text.
   const char* ParseExtra(const char* p, int column, vtkIdType row) const
   {
-    double& value = this->Extras[column][row];
+    double& value = this->Extras.Numbers[column][row];
     if (const char* const end = this->ParseField(p, value))
     {
       return end;
@@ -213,8 +243,16 @@ private:
     const char* const end = this->SkipField(p);
     if (end != p)
     {
-      this->IsText[column].store(true, std::memory_order_relaxed);
+      this->Extras.IsText[column].store(true, std::memory_order_relaxed);
     }
+    return end;
+  }
+
+  const char* StoreText(const char* p, int column, vtkIdType row) const
+  {
+    const char* const end = this->SkipField(p);
+    this->Extras.Texts[column][row] =
+      PrintableText(this->Between.Unquote({ p, std::size_t(end - p) }));
     return end;
   }
 
@@ -227,9 +265,9 @@ private:
     {
       if constexpr (Scaled)
       {
-        const BoxFrame& box = *this->Layout.Box;
-        to[axis] = static_cast<Real>(box.Origin[axis] + center[0] * box.Edges[0][axis] +
-          center[1] * box.Edges[1][axis] + center[2] * box.Edges[2][axis]);
+        const SimulationCell& box = *this->Layout.Box;
+        to[axis] = static_cast<Real>(box.Origin[axis] + center[0] * box.Vectors[0][axis] +
+          center[1] * box.Vectors[1][axis] + center[2] * box.Vectors[2][axis]);
         if (!std::isfinite(to[axis]))
         {
           const auto column =
@@ -251,8 +289,7 @@ private:
   const char* TextEnd;
   Real* Centers;
   Real* Radii;
-  std::vector<double*> Extras;
-  std::atomic<bool>* IsText;
+  const ExtraColumns& Extras;
   std::vector<ColumnRole> Roles;
   bool IsPlain;
 };

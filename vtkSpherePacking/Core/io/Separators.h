@@ -3,6 +3,7 @@
 #define Separators_h
 
 #include <array>
+#include <cstddef>
 #include <string_view>
 #include <vector>
 
@@ -21,6 +22,14 @@ public:
 
   /// Fields are separated by exactly one `delimiter`, may be empty and may be in double quotes.
   static Separators Strict(char delimiter) { return Separators(delimiter); }
+
+  /// Fields are separated by blanks alone, and there are no comments.
+  static Separators Blanks()
+  {
+    Separators blanks(0);
+    blanks.At(',') = blanks.At(';') = blanks.At('#') = Kind::Other;
+    return blanks;
+  }
 
   bool IsStrict() const { return this->Strictly; }
   bool IsBlank(char c) const { return this->Of(c) == Kind::Blank; }
@@ -57,6 +66,14 @@ public:
     return last;
   }
 
+  /// A field without its quotes.
+  std::string_view Unquote(std::string_view field) const
+  {
+    const bool quoted =
+      this->Strictly && field.size() >= 2 && field.front() == '"' && field.back() == '"';
+    return quoted ? field.substr(1, field.size() - 2) : field;
+  }
+
   /// All fields of the line at `p`, without their quotes.
   std::vector<std::string_view> Split(const char* p) const
   {
@@ -65,12 +82,7 @@ public:
     while (!this->EndsLine(*p))
     {
       const char* end = this->FieldEnd(p);
-      std::string_view field(p, end - p);
-      if (this->Strictly && field.size() >= 2 && field.front() == '"' && field.back() == '"')
-      {
-        field = field.substr(1, field.size() - 2);
-      }
-      fields.push_back(field);
+      fields.push_back(this->Unquote({ p, static_cast<std::size_t>(end - p) }));
       p = this->SkipBlanks(end);
       if (this->IsDelimiter(*p))
       {

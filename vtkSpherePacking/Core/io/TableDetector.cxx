@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/TableDetector.h"
 
+#include "io/GivenColumns.h"
+#include "io/NamelessColumns.h"
 #include "io/PackingFileError.h"
+#include "io/TableHead.h"
 
 #include <algorithm>
 #include <string_view>
@@ -13,68 +16,9 @@ namespace
 {
 using Fields = std::vector<std::string_view>;
 
-// The lines at the beginning of a table that say what its columns are.
-struct Head
+std::string QuoteLine(const TextRange& line)
 {
-  std::string_view YadeNames;               // the field after #format
-  TextRange Comment{ nullptr, nullptr, 0 }; // the last one that names columns, if any
-  TextRange Row{ nullptr, nullptr, 0 };
-};
-
-// The names that a comment may give to columns: its fields, except units and a leading label such
-// as "columns:".
-Fields NamesOfComment(const char* comment)
-{
-  Fields names;
-  for (std::string_view name : Separators::Liberal().Split(comment))
-  {
-    const bool colon = !name.empty() && name.back() == ':';
-    const bool label = colon && names.empty() && name.size() > 2;
-    const bool unit = !name.empty() && (name.front() == '(' || name.front() == '[');
-    if (!label && !unit)
-    {
-      name.remove_suffix(colon ? 1 : 0);
-      names.push_back(name);
-    }
-  }
-  return names;
-}
-
-Head FindHead(const TextRange& text)
-{
-  Head head;
-  LineFinder find(text.End);
-  vtkIdType number = text.FirstLine;
-  for (const char* p = text.Begin; p != text.End; ++number)
-  {
-    const char* end = find(p);
-    const char* first = SkipBlanks(p, end);
-    if (IsRow(RowKind::Data, p, end))
-    {
-      head.Row = { first, end, number };
-      return head;
-    }
-    if (first != end)
-    {
-      const char* comment = first;
-      while (comment != end && *comment == '#')
-      {
-        ++comment;
-      }
-      std::string complaint;
-      if (ColumnsFromNames(NamesOfComment(comment), complaint))
-      {
-        head.Comment = { comment, end, number };
-      }
-      const Fields fields = Separators::Liberal().Split(comment);
-      if (first + 1 == comment && fields.size() >= 2 && fields[0] == "format" && *comment == 'f')
-      {
-        head.YadeNames = fields[1];
-      }
-    }
-    p = SkipLineEnd(end, text.End);
-  }
-  ThrowNoSphere("lines of x y z radius");
+  return Quote(SkipBlanks(line.Begin, line.End), line.End);
 }
 
 // Whether a row has commas right between digits, as in 1,5 for one and a half, besides other
@@ -98,12 +42,12 @@ bool HasDecimalCommas(const TextRange& row)
   return bareComma && other;
 }
 
-// The first of `delimiters` that stands in `header`, or 0.
-char FindDelimiter(const TextRange& header, std::string_view delimiters)
+// The first of `delimiters` that stands in `line`, or 0.
+char FindDelimiter(const TextRange& line, std::string_view delimiters)
 {
   for (const char delimiter : delimiters)
   {
-    if (std::find(header.Begin, header.End, delimiter) != header.End)
+    if (std::find(line.Begin, line.End, delimiter) != line.End)
     {
       return delimiter;
     }
@@ -111,201 +55,277 @@ char FindDelimiter(const TextRange& header, std::string_view delimiters)
   return 0;
 }
 
-std::vector<Column> ColumnsFromHeader(const TextRange& line, const Separators& between)
+/// Finds the columns of one table.
+class Detector
 {
-  std::string complaint;
-  const auto columns = ColumnsFromNames(between.Split(line.Begin), complaint);
-  if (!columns)
+public:
+  Detector(Format format, const ReadOptions& options, TextRange& text)
+    : FormatIs(format)
+    , RadiiAre(RadiiOf(options))
+    , Head(FindHead(text))
+    , Text(text)
   {
-    throw LineError(line.FirstLine,
-      "found the columns " + Quote(line.Begin, line.End) +
-        ", expected a header that names x, y, z and one of r, radius, d, diameter");
   }
-  if (!complaint.empty())
-  {
-    throw LineError(line.FirstLine, complaint);
-  }
-  return *columns;
-}
 
-// Numbered columns for `fields`, but for x, y, z and radius at the given indices.
-std::vector<Column> NamelessColumns(const Fields& fields, const std::vector<std::size_t>& sphere)
-{
-  std::vector<Column> columns;
-  for (std::size_t i = 0; i < fields.size(); ++i)
+  TableLayout Detect()
   {
-    columns.push_back({ ColumnRole::Extra, "column_" + std::to_string(i + 1) });
-  }
-  const Column components[4] = { { ColumnRole::X, "x" }, { ColumnRole::Y, "y" },
-    { ColumnRole::Z, "z" }, { ColumnRole::Radius, "radius" } };
-  for (std::size_t i = 0; i < 4; ++i)
-  {
-    columns[sphere[i]] = components[i];
-  }
-  return columns;
-}
-
-[[noreturn]] void ThrowTooFew(const Head& head, std::size_t found, const char* kind)
-{
-  throw LineError(head.Row.FirstLine,
-    "found " + std::to_string(found) + kind + (found == 1 ? "column " : "columns ") +
-      Quote(head.Row.Begin, head.Row.End) + ", expected at least 4: x y z radius");
-}
-
-std::vector<Column> FirstFour(const Head& head, const Fields& fields)
-{
-  if (fields.size() < 4)
-  {
-    ThrowTooFew(head, fields.size(), " ");
-  }
-  return NamelessColumns(fields, { 0, 1, 2, 3 });
-}
-
-std::vector<Column> LastFourNumeric(const Head& head, const Fields& fields)
-{
-  std::vector<std::size_t> numeric;
-  for (std::size_t i = 0; i < fields.size(); ++i)
-  {
-    if (IsNumber(fields[i]))
+    if (this->FormatIs == Format::Csv)
     {
-      numeric.push_back(i);
+      this->DetectCsv();
+    }
+    else
+    {
+      this->DetectPlain();
+    }
+    this->Layout.Expected = DescribeColumns(this->Layout.Columns);
+    return this->Layout;
+  }
+
+private:
+  void DetectCsv()
+  {
+    if (const char delimiter = FindDelimiter(this->Head.Row, ";\t,"))
+    {
+      this->Layout.Between = Separators::Strict(delimiter);
+    }
+    const Fields fields = this->Layout.Between.Split(this->Head.Row.Begin);
+    const bool numbers = !fields.empty() && std::all_of(fields.begin(), fields.end(), IsNumber);
+    if (!numbers || !this->TakeComments(fields.size()))
+    {
+      this->SkipHeader();
+      this->TakeStrictHeader();
+      MarkTextColumns(this->Layout, FindHead(this->Text).Row.Begin);
     }
   }
-  if (numeric.size() < 4)
-  {
-    ThrowTooFew(head, numeric.size(), " numeric ");
-  }
-  return NamelessColumns(fields, { numeric.end() - 4, numeric.end() });
-}
 
-// #format x_y_z_r_attrs names all but the columns that attrs stands for, of which there may be
-// none.
-std::vector<Column> ColumnsOfYade(const Head& head, const Fields& fields)
-{
-  Fields names;
-  for (std::string_view rest = head.YadeNames; !rest.empty();)
+  void DetectPlain()
   {
-    const std::size_t cut = std::min(rest.find('_'), rest.size());
-    names.push_back(rest.substr(0, cut));
-    rest.remove_prefix(std::min(cut + 1, rest.size()));
+    const TextRange& row = this->Head.Row;
+    std::string complaint;
+    const Fields fields = this->Layout.Between.Split(row.Begin);
+    if (ColumnsFromNames(fields, complaint, Radii::Optional) ||
+      ColumnsFromNames(NameWords(View(row)), complaint, Radii::Optional) ||
+      FitNames(View(row), fields.size(), Radii::Optional).What == NamesFit::Fits)
+    {
+      this->SkipHeader();
+      this->TakePlainHeader();
+      return;
+    }
+    if (HasDecimalCommas(row))
+    {
+      throw LineError(row.FirstLine,
+        "found what looks like decimal commas in " + QuoteLine(row) + ", expected decimal points");
+    }
+    if (!this->TakeYadeFormat(fields.size()) && !this->TakeComments(fields.size()))
+    {
+      this->CheckProse();
+      this->Layout.IsNameless = true;
+      this->Layout.Columns = NamelessColumns(this->FormatIs, this->Text, row, this->RadiiAre);
+    }
+    MarkTextColumns(this->Layout, row.Begin);
   }
-  const bool attributes = !names.empty() && names.back() == "attrs";
-  std::vector<std::string> attributeNames;
-  if (attributes)
+
+  void SkipHeader()
   {
-    names.pop_back();
+    const TextRange& row = this->Head.Row;
+    this->Text = { SkipLineEnd(row.End, this->Text.End), this->Text.End, row.FirstLine + 1 };
+  }
+
+  // A header whose names are the fields between delimiters.
+  void TakeStrictHeader()
+  {
+    const TextRange& line = this->Head.Row;
+    const Fields names = WithoutNumbers(this->Layout.Between.Split(line.Begin));
+    std::string complaint;
+    const auto columns = ColumnsFromNames(names, complaint, this->RadiiAre);
+    if (!columns)
+    {
+      throw LineError(line.FirstLine,
+        "found the columns " + Quote(line.Begin, line.End) +
+          ", expected a header that names x, y, z and one of r, radius, d, diameter");
+    }
+    if (!complaint.empty())
+    {
+      throw LineError(line.FirstLine, complaint);
+    }
+    this->Layout.Columns = *columns;
+  }
+
+  // A header with delimiters is that of a CSV file by another name. In others blanks may be part
+  // of names, and the first row tells how many there are.
+  void TakePlainHeader()
+  {
+    const TextRange& header = this->Head.Row;
+    const TextRange row = FindHead(this->Text).Row;
+    if (const char delimiter = FindDelimiter(header, ";,"))
+    {
+      this->Layout.Between = Separators::Strict(delimiter);
+    }
+    const std::size_t count = this->Layout.Between.Split(row.Begin).size();
+    NamesFit fit =
+      this->Layout.Between.IsStrict() ? NamesFit() : FitNames(View(header), count, this->RadiiAre);
+    if (fit.What == NamesFit::Fits)
+    {
+      this->Layout.Columns = std::move(fit.Columns);
+    }
+    else if (!fit.Complaint.empty())
+    {
+      throw LineError(header.FirstLine, fit.Complaint);
+    }
+    else
+    {
+      // With tabs between, names and text may have blanks in them.
+      const Separators tabs = Separators::Strict('\t');
+      const Fields names = tabs.Split(header.Begin);
+      const bool tabbed = names.size() > 3 && names.size() == tabs.Split(row.Begin).size() &&
+        std::none_of(names.begin(), names.end(), [](auto name) { return name.empty(); });
+      this->Layout.Between = tabbed ? tabs : this->Layout.Between;
+      this->TakeStrictHeader();
+    }
+    MarkTextColumns(this->Layout, row.Begin);
+  }
+
+  // #format x_y_z_r_attrs names all but the columns that attrs stands for, of which there may be
+  // none. A comment can only give these their names.
+  bool TakeYadeFormat(std::size_t count)
+  {
+    if (this->Head.YadeNames.empty())
+    {
+      return false;
+    }
+    Fields names;
+    for (std::string_view rest = this->Head.YadeNames; !rest.empty();)
+    {
+      const std::size_t cut = std::min(rest.find('_'), rest.size());
+      names.push_back(rest.substr(0, cut));
+      rest.remove_prefix(std::min(cut + 1, rest.size()));
+    }
+    const bool attributes = !names.empty() && names.back() == "attrs";
+    names.resize(names.size() - (attributes ? 1 : 0));
     const std::size_t named = names.size();
-    const std::size_t count = fields.size() > named ? fields.size() - named : 0;
-    for (std::size_t i = 0; i < count; ++i)
+    std::string complaint;
+    auto columns = ColumnsFromNames(names, complaint, this->RadiiAre);
+    if (!columns || !complaint.empty())
     {
-      attributeNames.push_back("attrs_" + std::to_string(i + 1));
+      throw LineError(this->Head.Row.FirstLine,
+        "found rows under #format " +
+          Quote(this->Head.YadeNames.data(),
+            this->Head.YadeNames.data() + this->Head.YadeNames.size()) +
+          ", expected a format such as x_y_z_r or x_y_z_r_matId");
     }
-    names.insert(names.end(), attributeNames.begin(), attributeNames.end());
-  }
-  std::string complaint;
-  const auto columns = ColumnsFromNames(names, complaint);
-  if (!columns || !complaint.empty())
-  {
-    throw LineError(head.Row.FirstLine,
-      "found rows under #format " +
-        Quote(head.YadeNames.data(), head.YadeNames.data() + head.YadeNames.size()) +
-        ", expected a format such as x_y_z_r or x_y_z_r_matId");
-  }
-  return *columns;
-}
-
-// The columns that a comment names, when there are as many as in a row. Throws when there are not
-// and a diameter is among them, which would pass as a radius.
-bool ColumnsFromComment(const Head& head, const Fields& fields, std::vector<Column>& columns)
-{
-  if (!head.Comment.Begin)
-  {
-    return false;
-  }
-  const Fields names = NamesOfComment(head.Comment.Begin);
-  std::string complaint;
-  auto found = ColumnsFromNames(names, complaint);
-  if (complaint.empty() && names.size() == fields.size())
-  {
-    columns = std::move(*found);
+    const auto comment = FitComments(this->Head, count, this->RadiiAre);
+    const bool agrees = comment.What == NamesFit::Fits &&
+      std::equal(columns->begin(), columns->end(), comment.Columns.begin(),
+        comment.Columns.begin() + std::min(named, count),
+        [](const Column& a, const Column& b) { return a.Role == b.Role; });
+    for (std::size_t i = named; attributes && i < count; ++i)
+    {
+      const std::string name = "attrs_" + std::to_string(i + 1 - named);
+      columns->push_back({ ColumnRole::Extra, agrees ? comment.Columns[i].Name : name });
+    }
+    this->Layout.Columns = std::move(*columns);
     return true;
   }
-  if (std::any_of(found->begin(), found->end(),
-        [](const Column& column) { return column.Role == ColumnRole::Diameter; }))
-  {
-    throw LineError(head.Comment.FirstLine,
-      "found a diameter among the " + std::to_string(names.size()) + " names " +
-        Quote(SkipBlanks(head.Comment.Begin, head.Comment.End), head.Comment.End) +
-        " over rows of " + std::to_string(fields.size()) +
-        " columns, expected a name for each column");
-  }
-  return false;
-}
 
-void DetectCsv(const Head& head, TableLayout& layout, TextRange& text)
-{
-  if (const char delimiter = FindDelimiter(head.Row, ";\t,"))
+  // The columns that comments name. False if they name none, or if the first four are x, y, z and
+  // radius by name or by place.
+  bool TakeComments(std::size_t count)
   {
-    layout.Between = Separators::Strict(delimiter);
-  }
-  const Fields fields = layout.Between.Split(head.Row.Begin);
-  const bool numbers = !fields.empty() &&
-    std::all_of(fields.begin(), fields.end(), [](auto f) { return IsNumber(f); });
-  if (numbers && ColumnsFromComment(head, fields, layout.Columns))
-  {
-    return;
-  }
-  layout.Columns = ColumnsFromHeader(head.Row, layout.Between);
-  text = { SkipLineEnd(head.Row.End, text.End), text.End, head.Row.FirstLine + 1 };
-  MarkTextColumns(layout, FindHead(text).Row.Begin);
-}
-
-void DetectPlain(Format format, const Head& head, TableLayout& layout, TextRange& text)
-{
-  const Fields fields = layout.Between.Split(head.Row.Begin);
-  std::string complaint;
-  if (ColumnsFromNames(fields, complaint))
-  {
-    // A header with delimiters is that of a CSV file by another name.
-    if (const char delimiter = FindDelimiter(head.Row, ";,"))
+    CommentFit fit = FitComments(this->Head, count, this->RadiiAre);
+    if (fit.What == NamesFit::Fits)
     {
-      layout.Between = Separators::Strict(delimiter);
+      this->Layout.Columns = std::move(fit.Columns);
+      return true;
     }
-    layout.Columns = ColumnsFromHeader(head.Row, layout.Between);
-    text = { SkipLineEnd(head.Row.End, text.End), text.End, head.Row.FirstLine + 1 };
-    MarkTextColumns(layout, FindHead(text).Row.Begin);
-    return;
+    if (fit.What == NamesFit::NoNames || this->FirstFourAreNamed(fit.Line, count))
+    {
+      return false;
+    }
+    if (!fit.Complaint.empty())
+    {
+      throw LineError(fit.Line.FirstLine, fit.Complaint + ", or " + ColumnsHint);
+    }
+    throw LineError(fit.Line.FirstLine,
+      "found the names " + QuoteLine(fit.Line) + " over rows of " + std::to_string(count) +
+        " columns, expected a name for each column, or " + ColumnsHint);
   }
-  if (HasDecimalCommas(head.Row))
+
+  // Whether a comment that does not name all columns, and only them, still says that the first four
+  // are x, y, z and radius. With words before these, the rows must have four columns and no ids.
+  bool FirstFourAreNamed(const TextRange& line, std::size_t count) const
   {
-    throw LineError(head.Row.FirstLine,
-      "found what looks like decimal commas in " + Quote(head.Row.Begin, head.Row.End) +
-        ", expected decimal points");
+    std::string complaint;
+    const auto columns = ColumnsFromNames(NameWords(View(line)), complaint);
+    if (!columns)
+    {
+      return false;
+    }
+    const auto first = std::find_if(columns->begin(), columns->end(),
+      [](const Column& column) { return column.Role <= ColumnRole::Diameter; });
+    int next = 0;
+    bool adjacent = true;
+    for (auto column = first; column != columns->end() && next < 4; ++column)
+    {
+      adjacent &= column->Role == static_cast<ColumnRole>(next);
+      if (column->Role <= ColumnRole::Diameter && column->Role != static_cast<ColumnRole>(next++))
+      {
+        return false;
+      }
+    }
+    if (next < 4)
+    {
+      return false;
+    }
+    if (first == columns->begin())
+    {
+      return adjacent || count == 4;
+    }
+    return count == 4 && !this->MayBeIds((first - 1)->Name);
   }
-  if (!ColumnsFromComment(head, fields, layout.Columns))
+
+  // Whether the name before x, or the first field of the first row, is that of an id.
+  bool MayBeIds(const std::string& name) const
   {
-    layout.Columns = !head.YadeNames.empty() ? ColumnsOfYade(head, fields)
-      : format == Format::Xyzr               ? LastFourNumeric(head, fields)
-                                             : FirstFour(head, fields);
+    static const char* const ids[] = { "id", "ID", "Id", "ids", "index", "Index", "i", "n", "no",
+      "No", "nr", "Nr", "number", "Number", "type", "Type", "tag", "material", "element", "name" };
+    const char* const begin = this->Head.Row.Begin;
+    const std::string_view field(begin, this->Layout.Between.FieldEnd(begin) - begin);
+    return std::find(std::begin(ids), std::end(ids), name) != std::end(ids) ||
+      field.find_first_not_of("0123456789") == field.npos;
   }
-  MarkTextColumns(layout, head.Row.Begin);
-}
+
+  // Throws if the first row is a sentence.
+  void CheckProse() const
+  {
+    const TextRange& row = this->Head.Row;
+    const Fields fields = this->Layout.Between.Split(row.Begin);
+    const char c = *row.Begin;
+    const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c < 0;
+    const bool number = std::any_of(fields.begin(), fields.end(), IsNumber);
+    const bool first = !fields.empty() && IsNumber(fields[0]); // such as nan
+    if (letter && !first && (!number || this->FormatIs != Format::Xyzr))
+    {
+      throw LineError(row.FirstLine,
+        "found " + QuoteLine(row) +
+          ", which is neither a row of numbers nor a header, expected x y z radius in each line "
+          "and "
+          "# before remarks, or " +
+          ColumnsHint);
+    }
+  }
+
+  Format FormatIs;
+  Radii RadiiAre;
+  TableHead Head;
+  TextRange& Text;
+  TableLayout Layout;
+};
 }
 
 //------------------------------------------------------------------------------
-TableLayout DetectTable(Format format, TextRange& text)
+TableLayout DetectTable(Format format, const ReadOptions& options, TextRange& text)
 {
-  const Head head = FindHead(text);
-  TableLayout layout;
-  if (format == Format::Csv)
-  {
-    DetectCsv(head, layout, text);
-  }
-  else
-  {
-    DetectPlain(format, head, layout, text);
-  }
-  layout.Expected = DescribeColumns(layout.Columns);
-  return layout;
+  return options.Columns.empty() ? Detector(format, options, text).Detect()
+                                 : LayoutOfColumns(format, options, text);
 }
 }

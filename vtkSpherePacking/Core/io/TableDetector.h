@@ -9,11 +9,12 @@
 namespace spherepacking
 {
 /**
- * Detects the columns of a table by its header, by a comment before the first row that serves as
- * one, or else by the first row. On return `text` begins after a header that is no comment. Throws
- * if there is no row, or if the columns of the sphere cannot be detected.
+ * Detects the columns of a table: as the options name them, or by a header, the #format of YADE, or
+ * comments before the first row, or else by the first row. On return `text` begins after a header
+ * that is no comment. Throws if there is no row, or if it is not certain which columns are those of
+ * the sphere.
  */
-TableLayout DetectTable(Format format, TextRange& text);
+TableLayout DetectTable(Format format, const ReadOptions& options, TextRange& text);
 }
 
 #endif

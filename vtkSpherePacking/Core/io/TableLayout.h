@@ -2,7 +2,10 @@
 #ifndef TableLayout_h
 #define TableLayout_h
 
+#include "io/ColumnNames.h"
+#include "bridge/PackingArrays.h"
 #include "io/Separators.h"
+#include "io/TableColumn.h"
 #include "io/TextChunks.h"
 
 #include <optional>
@@ -11,54 +14,27 @@
 
 namespace spherepacking
 {
-/// What a column of a table holds.
-enum class ColumnRole : unsigned char
-{
-  X,
-  Y,
-  Z,
-  Radius,
-  Diameter,
-  Extra, ///< further numbers, which become a point array
-  Text   ///< anything else, which is skipped
-};
-
-struct Column
-{
-  ColumnRole Role;
-  std::string Name;
-};
-
-/// The periodic box of scaled coordinates: x, y, z lie at Origin + x Edges[0] + y Edges[1] +
-/// z Edges[2].
-struct BoxFrame
-{
-  double Origin[3];
-  double Edges[3][3];
-};
-
 /// How to read the rows of a table.
 struct TableLayout
 {
   std::vector<Column> Columns;
   Separators Between = Separators::Liberal();
   RowKind Rows = RowKind::Data;
-  std::optional<BoxFrame> Box; ///< if the coordinates are scaled, that is fractions of this box
-  std::string Expected;        ///< describes the columns, for messages
+  std::optional<SimulationCell>
+    Box;                   ///< if the coordinates are scaled, that is fractions of this box
+  std::string Expected;    ///< describes the columns, for messages
+  bool IsNameless = false; ///< whether nobody has named the columns
 };
-
-/**
- * Finds the roles of columns by their names, in any letter case: x, y, z, r, rad or radius, d, diam
- * or diameter, perhaps followed by a unit in brackets. Beside a radius a diameter is a further
- * column. Returns nothing if a coordinate or both radius and diameter are missing; sets `complaint`
- * if two names mean the same column.
- */
-std::optional<std::vector<Column>> ColumnsFromNames(
-  const std::vector<std::string_view>& names, std::string& complaint);
 
 /// Makes those further columns text that hold anything but a number in the row at `p`; an empty
 /// field does not count.
 void MarkTextColumns(TableLayout& layout, const char* p);
+
+/// The same by the first row of `rows`, if there is any.
+void MarkTextByFirstRow(TableLayout& layout, const TextRange& rows);
+
+/// Whether a radius or diameter is among the columns.
+bool HasRadius(const std::vector<Column>& columns);
 
 /// Whether the whole of `field` is a number.
 bool IsNumber(std::string_view field);

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <string_view>
 
 namespace spherepacking
 {
@@ -15,49 +14,8 @@ namespace
 struct BadRow
 {
   const char* Line = nullptr;
-  const char* Row = nullptr; // where parsing began, which is not the line for an ATOM record
   RowFault Fault{};
 };
-
-// Whether [begin, end) has the fields that come first in an ATOM record: ATOM, number, name,
-// residue and number of the residue, at least. If one is missing, the last fields are not those
-// expected.
-bool HasLeadingFields(const TableLayout& layout, const char* begin, const char* end)
-{
-  constexpr std::size_t minimum = 5;
-  std::size_t count = 0;
-  std::string_view last;
-  for (const char* p = SkipBlanks(begin, end); p != end; p = SkipBlanks(p, end))
-  {
-    const char* next = std::min(layout.Between.FieldEnd(p), end);
-    next += next == p; // a lone separator
-    last = std::string_view(p, next - p);
-    p = next;
-    ++count;
-  }
-  // With five, the last is the residue's number, and not the letter of a chain without digits.
-  return count > minimum || (count == minimum && last.find_first_of("0123456789") != last.npos);
-}
-
-// Where the layout's columns begin in an ATOM record, which has them last, after a varying number
-// of others (T. Dolinsky et al., "PDB2PQR: an automated pipeline for the setup of
-// Poisson-Boltzmann electrostatics calculations", 2004).
-const char* FirstField(const TableLayout& layout, const char* begin, const char* end)
-{
-  const char* p = end;
-  for (std::size_t field = 0; field < layout.Columns.size(); ++field)
-  {
-    while (p != begin && IsBlank(p[-1]))
-    {
-      --p;
-    }
-    while (p != begin && !IsBlank(p[-1]))
-    {
-      --p;
-    }
-  }
-  return p;
-}
 
 template <typename Parser>
 void ParseChunk(
@@ -67,21 +25,14 @@ void ParseChunk(
   vtkIdType row = chunk.FirstRow;
   for (const char* p = chunk.Begin; p != chunk.End;)
   {
+    p = parser.ParsePlainRows(p, chunk.End, row);
     const char* end = p;
-    if (IsRow(layout.Rows, p, chunk.End))
+    if (p != chunk.End && IsRow(layout.Rows, p, chunk.End))
     {
-      const bool atom = layout.Rows == RowKind::Atom;
-      const char* first = atom ? FirstField(layout, p, find(p)) : p;
-      if (atom && !HasLeadingFields(layout, p, first))
-      {
-        bad = { p, p, { RowFault::TooFewColumns, 0, p } };
-        return;
-      }
-      end = parser.Parse(first, row, bad.Fault);
+      end = parser.Parse(p, row, bad.Fault);
       if (!end)
       {
         bad.Line = p;
-        bad.Row = first;
         return;
       }
       ++row;
@@ -97,7 +48,7 @@ void ParseChunk(
   const RowFault& fault = bad.Fault;
   if (fault.What == RowFault::TooFewColumns || fault.What == RowFault::TooManyColumns)
   {
-    const std::size_t found = layout.Between.Split(bad.Row).size();
+    const std::size_t found = layout.Between.Split(bad.Line).size();
     const char* end = bad.Line;
     while (!IsLineEnd(*end))
     {
@@ -117,29 +68,34 @@ void ParseChunk(
   const char* expected = fault.What == RowFault::NotANumber ? "a number"
     : fault.What == RowFault::NotFinite                     ? "a finite number"
                                                             : "a number that is not negative";
-  // The columns of an ATOM record are counted from its end, so a number would mislead.
-  const std::string where = layout.Rows == RowKind::Atom
-    ? " (" + layout.Expected + ")"
-    : " in column " + std::to_string(fault.Column + 1);
-  throw LineError(line, "found " + field + " as " + name + where + ", expected " + expected);
+  throw LineError(line,
+    "found " + field + " as " + name + " in column " + std::to_string(fault.Column + 1) +
+      ", expected " + expected);
 }
 
+// Parses the rows into arrays. Returns whether a column of numbers turned out to be text, whose
+// role in `layout` is that from then on.
 template <typename Real, bool Scaled>
-void ParseInto(PackingArrays& arrays, const char* textEnd, const TableLayout& layout,
+bool ParseInto(PackingArrays& arrays, const char* textEnd, TableLayout& layout,
   const std::vector<TextChunk>& chunks, Progress& progress)
 {
   const std::size_t columns = layout.Columns.size();
-  std::vector<double*> extras(columns, nullptr);
+  ExtraColumns extras{ std::vector<double*>(columns), std::vector<std::string*>(columns),
+    std::make_unique<std::atomic<bool>[]>(columns) };
   for (std::size_t i = 0; i < columns; ++i)
   {
-    if (layout.Columns[i].Role == ColumnRole::Extra)
+    const Column& column = layout.Columns[i];
+    if (column.Role == ColumnRole::Extra)
     {
-      extras[i] = arrays.AddExtra(layout.Columns[i].Name);
+      extras.Numbers[i] = arrays.AddExtra(column.Name);
+    }
+    else if (column.Role == ColumnRole::Text)
+    {
+      extras.Texts[i] = arrays.AddText(column.Name);
     }
   }
-  const auto isText = std::make_unique<std::atomic<bool>[]>(columns);
   const RowParser<Real, Scaled> parser(
-    layout, textEnd, arrays.Centers<Real>(), arrays.Radii<Real>(), extras, isText.get());
+    layout, textEnd, arrays.Centers<Real>(), arrays.Radii<Real>(), extras);
 
   std::vector<BadRow> bad(chunks.size());
   std::atomic<bool> failed{ false };
@@ -168,25 +124,67 @@ void ParseInto(PackingArrays& arrays, const char* textEnd, const TableLayout& la
     },
     throwIfFailed);
 
+  bool turned = false;
   for (std::size_t i = 0; i < columns; ++i)
   {
-    if (isText[i])
+    if (extras.IsText[i])
     {
-      arrays.RemoveExtra(extras[i]);
+      layout.Columns[i].Role = ColumnRole::Text;
+      turned = true;
     }
   }
+  return turned;
 }
+}
+
+//------------------------------------------------------------------------------
+void CheckCount(
+  vtkIdType count, const std::string& things, vtkIdType line, const std::vector<TextChunk>& chunks)
+{
+  if (const vtkIdType rows = CountRows(chunks); rows != count)
+  {
+    throw LineError(line,
+      "found " + std::to_string(count) + " as the number of " + things + ", but " +
+        std::to_string(rows) + " lines of " + things + " follow, expected as many");
+  }
+}
+
+//------------------------------------------------------------------------------
+void CheckNotCut(const TextRange& rows)
+{
+  const char* last = rows.End;
+  if (last == rows.Begin || IsLineEnd(last[-1]))
+  {
+    return;
+  }
+  while (last != rows.Begin && !IsLineEnd(last[-1]))
+  {
+    --last;
+  }
+  throw LineError(rows.FirstLine + CountLineEnds(rows.Begin, last),
+    "found the end of the file within the row " + Quote(last, rows.End) +
+      ", expected a line end after every row");
 }
 
 //------------------------------------------------------------------------------
 PackingArrays ParseTable(const char* textEnd, const TableLayout& layout,
   const std::vector<TextChunk>& chunks, bool single, Progress& progress)
 {
-  PackingArrays arrays(CountRows(chunks), single);
   const bool scaled = layout.Box.has_value();
   const auto parse = single ? (scaled ? ParseInto<float, true> : ParseInto<float, false>)
                             : (scaled ? ParseInto<double, true> : ParseInto<double, false>);
-  parse(arrays, textEnd, layout, chunks, progress);
+  const bool hasRadii = HasRadius(layout.Columns);
+  TableLayout roles = layout;
+  {
+    PackingArrays arrays(CountRows(chunks), single, hasRadii);
+    if (!parse(arrays, textEnd, roles, chunks, progress))
+    {
+      return arrays;
+    }
+  }
+  // Again, since the text of rows before the first that was no number is gone.
+  PackingArrays arrays(CountRows(chunks), single, hasRadii);
+  parse(arrays, textEnd, roles, chunks, progress);
   return arrays;
 }
 }

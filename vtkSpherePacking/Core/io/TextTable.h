@@ -19,6 +19,14 @@ namespace spherepacking
  */
 PackingArrays ParseTable(const char* textEnd, const TableLayout& layout,
   const std::vector<TextChunk>& chunks, bool single, Progress& progress);
+
+/// Throws if the last row lacks a line end. Programs that write a time step after the other end
+/// every row with one, so that one was stopped, perhaps within a number.
+void CheckNotCut(const TextRange& rows);
+
+/// Throws unless `chunks` hold as many rows, "atoms" say, as the file says in `line`.
+void CheckCount(
+  vtkIdType count, const std::string& things, vtkIdType line, const std::vector<TextChunk>& chunks);
 }
 
 #endif

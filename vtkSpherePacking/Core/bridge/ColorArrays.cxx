@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "bridge/ColorArrays.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace spherepacking
+{
+namespace
+{
+// The array with one of two names, or null.
+vtkDoubleArray* Find(vtkPointData* data, const char* letter, const char* word)
+{
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    std::string name = data->GetArrayName(i) ? data->GetArrayName(i) : "";
+    for (char& c : name)
+    {
+      c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    }
+    vtkDoubleArray* const array = vtkDoubleArray::FastDownCast(data->GetAbstractArray(i));
+    if ((name == letter || name == word) && array && array->GetNumberOfComponents() == 1)
+    {
+      return array;
+    }
+  }
+  return nullptr;
+}
+
+template <typename ArrayT>
+void AddAs(vtkPointData* data, const std::vector<vtkDoubleArray*>& parts)
+{
+  vtkNew<ArrayT> colors;
+  colors->SetName("rgb");
+  colors->SetNumberOfComponents(static_cast<int>(parts.size()));
+  colors->SetNumberOfTuples(parts[0]->GetNumberOfTuples());
+  auto* to = colors->GetPointer(0);
+  for (vtkIdType i = 0; i < parts[0]->GetNumberOfTuples(); ++i)
+  {
+    for (vtkDoubleArray* const part : parts)
+    {
+      *to++ = static_cast<typename ArrayT::ValueType>(part->GetPointer(0)[i]);
+    }
+  }
+  data->AddArray(colors);
+}
+}
+
+//------------------------------------------------------------------------------
+void AddColors(vtkPointData* data)
+{
+  std::vector<vtkDoubleArray*> parts = { Find(data, "r", "red"), Find(data, "g", "green"),
+    Find(data, "b", "blue") };
+  if (!parts[0] || !parts[1] || !parts[2] || data->HasArray("rgb"))
+  {
+    return;
+  }
+  if (vtkDoubleArray* const alpha = Find(data, "a", "alpha"))
+  {
+    parts.push_back(alpha);
+  }
+  bool bytes = true;
+  bool fractions = true;
+  for (vtkDoubleArray* const part : parts)
+  {
+    const double* const values = part->GetPointer(0);
+    for (vtkIdType i = 0; i < part->GetNumberOfTuples(); ++i)
+    {
+      bytes &= values[i] >= 0 && values[i] <= 255 && values[i] == std::floor(values[i]);
+      fractions &= values[i] >= 0 && values[i] <= 1;
+    }
+  }
+  if (fractions)
+  {
+    AddAs<vtkFloatArray>(data, parts);
+  }
+  else if (bytes)
+  {
+    AddAs<vtkUnsignedCharArray>(data, parts);
+  }
+}
+}

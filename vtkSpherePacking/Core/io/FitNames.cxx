@@ -1,0 +1,386 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/FitNames.h"
+
+#include "io/NameMeaning.h"
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+#include <set>
+
+namespace spherepacking
+{
+namespace
+{
+using Names = std::vector<std::string_view>;
+
+bool IsGap(char c)
+{
+  return c == ' ' || c == '\t';
+}
+
+std::string_view Trim(std::string_view text)
+{
+  while (!text.empty() && IsGap(text.front()))
+  {
+    text.remove_prefix(1);
+  }
+  while (!text.empty() && IsGap(text.back()))
+  {
+    text.remove_suffix(1);
+  }
+  return text;
+}
+
+// The line without the signs that begin a comment here or elsewhere.
+std::string_view WithoutSigns(std::string_view line)
+{
+  line = Trim(line);
+  while (!line.empty() && std::string_view("#%/!").find(line.front()) != std::string_view::npos)
+  {
+    line.remove_prefix(1);
+  }
+  return Trim(line);
+}
+
+// Where the brackets that open at `at` close, or `at` if they do not.
+std::size_t BracketEnd(std::string_view line, std::size_t at)
+{
+  const std::size_t end = line.find(line[at] == '(' ? ')' : ']', at);
+  return end == line.npos ? at : end;
+}
+
+enum class Between
+{
+  Anything, // blanks, commas and semicolons
+  Commas,   // or semicolons
+  Tabs,
+  WideGaps // two blanks or more, or a tab
+};
+
+// Splits a line, but not within brackets. Between blanks, brackets are units and left out.
+Names Split(std::string_view line, Between between)
+{
+  const auto separates = [&](std::size_t i)
+  {
+    const char c = line[i];
+    const bool comma = c == ',' || c == ';';
+    const bool wide = IsGap(c) &&
+      (c == '\t' || (i + 1 < line.size() && IsGap(line[i + 1])) || (i > 0 && IsGap(line[i - 1])));
+    return between == Between::Anything ? comma || IsGap(c)
+      : between == Between::Commas      ? comma
+      : between == Between::Tabs        ? c == '\t'
+                                        : wide;
+  };
+  Names names;
+  std::size_t begin = 0;
+  std::size_t noBracket = 0; // up to here brackets do not close
+  const auto take = [&](std::size_t end)
+  {
+    std::string_view name = Trim(line.substr(begin, end - begin));
+    if (name.size() >= 2 && name.front() == '"' && name.back() == '"')
+    {
+      name = name.substr(1, name.size() - 2);
+    }
+    const bool unit = !name.empty() && (name.front() == '(' || name.front() == '[') &&
+      (name.back() == ')' || name.back() == ']');
+    const bool gap = between == Between::Anything || between == Between::WideGaps;
+    if (!name.empty() ? !unit || !gap : !gap)
+    {
+      names.push_back(name);
+    }
+    begin = end + 1;
+  };
+  for (std::size_t i = 0; i < line.size(); ++i)
+  {
+    if ((line[i] == '(' || line[i] == '[') && i >= noBracket)
+    {
+      const std::size_t end = BracketEnd(line, i);
+      noBracket = end == i ? line.size() : noBracket;
+      i = end;
+    }
+    else if (separates(i))
+    {
+      take(i);
+    }
+  }
+  take(line.size());
+  return names;
+}
+
+// The number at the beginning of a name, as in "2:x", "2) x" or "[2] x"; `rest` is what follows.
+std::optional<std::size_t> LeadingNumber(std::string_view name, std::string_view& rest)
+{
+  const bool bracket = !name.empty() && (name.front() == '(' || name.front() == '[');
+  std::string_view digits = name.substr(bracket ? 1 : 0);
+  std::size_t number = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+  if (error != std::errc() || end == digits.data() + digits.size())
+  {
+    return std::nullopt;
+  }
+  const std::size_t length = end - digits.data();
+  if (std::string_view(":.)]=-").find(*end) == std::string_view::npos)
+  {
+    return std::nullopt;
+  }
+  rest = Trim(digits.substr(length + 1));
+  return number;
+}
+
+// Names and the numbers of their columns, if all names have one: "1:x 2:y" or "1: x 2: y".
+struct Numbered
+{
+  Names Of;
+  std::vector<std::size_t> Columns;
+};
+
+std::optional<Numbered> TakeNumbers(const Names& names)
+{
+  Numbered numbered;
+  for (std::size_t i = 0; i < names.size(); ++i)
+  {
+    std::string_view rest;
+    const std::optional<std::size_t> number = LeadingNumber(names[i], rest);
+    if (!number)
+    {
+      return std::nullopt;
+    }
+    if (rest.empty() && i + 1 < names.size())
+    {
+      rest = names[++i];
+    }
+    numbered.Of.push_back(rest);
+    numbered.Columns.push_back(*number);
+  }
+  return numbered.Of.empty() ? std::nullopt : std::optional(numbered);
+}
+
+// The names in the places that their numbers give them. Numbers count from 0 or from 1; which, must
+// be certain. Empty if it is not.
+Names InPlace(const Numbered& numbered, std::size_t count)
+{
+  const auto [low, high] = std::minmax_element(numbered.Columns.begin(), numbered.Columns.end());
+  const bool whole = numbered.Of.size() == count && *high - *low + 1 == count && *low <= 1;
+  const bool fromZero = *low == 0 && *high < count;
+  const bool fromOne = *low > 0 && *high == count;
+  if (!whole && !fromZero && !fromOne)
+  {
+    return {};
+  }
+  Names names(count);
+  std::vector<bool> taken(count);
+  for (std::size_t i = 0; i < numbered.Of.size(); ++i)
+  {
+    const std::size_t column = numbered.Columns[i] - (fromOne ? 1 : 0);
+    if (taken[column])
+    {
+      return {};
+    }
+    taken[column] = true;
+    names[column] = numbered.Of[i];
+  }
+  return names;
+}
+
+// Whether the first word only says that names follow. #C does in files of IMD.
+bool IsLabel(std::string_view word)
+{
+  static const std::set<std::string_view> labels{ "columns", "Columns", "column", "fields",
+    "Fields", "names", "Names", "header", "variables", "VARIABLES", "C" };
+  return labels.count(word) > 0 ||
+    (word.size() > 2 && word.back() == ':' && (word[0] < '0' || word[0] > '9'));
+}
+
+Names WithoutLabel(Names names)
+{
+  const bool colon = !names.empty() && names[0].size() > 2 && names[0].back() == ':';
+  if (!names.empty() && IsLabel(names[0]))
+  {
+    names.erase(names.begin());
+    if (!colon && !names.empty() && names[0] == "=")
+    {
+      names.erase(names.begin());
+    }
+  }
+  return names;
+}
+
+Names WithoutColons(Names names)
+{
+  for (std::string_view& name : names)
+  {
+    name.remove_suffix(!name.empty() && name.back() == ':');
+  }
+  return names;
+}
+
+Names WithoutUnits(const Names& names)
+{
+  Names rest;
+  for (std::size_t i = 0; i < names.size(); ++i)
+  {
+    const bool in = names[i] == "in" && i + 1 < names.size() && IsUnit(names[i + 1]);
+    if (rest.empty() || !(in || IsUnit(names[i])))
+    {
+      rest.push_back(names[i]);
+    }
+  }
+  return rest;
+}
+
+Names JoinTwoWords(const Names& names)
+{
+  Names joined;
+  for (std::size_t i = 0; i < names.size(); ++i)
+  {
+    std::string_view name = names[i];
+    if (i + 1 < names.size() && IsNameOfTwoWords(name, names[i + 1]))
+    {
+      ++i;
+      const char* const end = names[i].data() + names[i].size();
+      name = std::string_view(name.data(), end - name.data());
+    }
+    joined.push_back(name);
+  }
+  return joined;
+}
+
+/// Collects the readings of one line.
+class Readings
+{
+public:
+  Readings(std::size_t count, Radii radii)
+    : Count(count)
+    , RadiiAre(radii)
+  {
+  }
+
+  // Reads names in all ways that words may belong together.
+  void Try(const Names& names)
+  {
+    const Names labelled = WithoutLabel(names);
+    this->TryUnits(names);
+    if (labelled.size() != names.size())
+    {
+      this->TryUnits(labelled);
+    }
+    if (const auto numbered = TakeNumbers(labelled))
+    {
+      if (const Names placed = InPlace(*numbered, this->Count); !placed.empty())
+      {
+        this->Add(placed);
+      }
+    }
+  }
+
+  NamesFit Result() const
+  {
+    NamesFit fit = this->Found;
+    if (this->Differ)
+    {
+      return { NamesFit::Unclear, {}, {} };
+    }
+    if (fit.What != NamesFit::Fits && !this->Complaint.empty())
+    {
+      return { NamesFit::Unclear, {}, this->Complaint };
+    }
+    return fit;
+  }
+
+private:
+  void TryUnits(const Names& names)
+  {
+    this->Add(WithoutColons(names));
+    this->AddShorter(WithoutUnits(names), names);
+    const Names joined = JoinTwoWords(names);
+    if (joined.size() != names.size())
+    {
+      this->Add(joined);
+      this->AddShorter(WithoutUnits(joined), joined);
+    }
+  }
+
+  void AddShorter(const Names& shorter, const Names& names)
+  {
+    if (shorter.size() != names.size())
+    {
+      this->Add(WithoutColons(shorter));
+    }
+  }
+
+  void Add(const Names& names)
+  {
+    if (names.size() != this->Count)
+    {
+      return;
+    }
+    std::string complaint;
+    auto columns = ColumnsFromNames(names, complaint, this->RadiiAre);
+    if (columns && complaint.empty())
+    {
+      const auto sameRole = [](const Column& a, const Column& b) { return a.Role == b.Role; };
+      this->Differ |= this->Found.What == NamesFit::Fits &&
+        !std::equal(columns->begin(), columns->end(), this->Found.Columns.begin(), sameRole);
+      if (this->Found.What != NamesFit::Fits)
+      {
+        this->Found = { NamesFit::Fits, std::move(*columns), {} };
+      }
+      return;
+    }
+    std::string unused;
+    if (columns || ColumnsFromNames(names, unused, Radii::Optional))
+    {
+      this->Complaint = !complaint.empty() ? complaint
+                                           : "found names for all columns and none of a radius, "
+                                             "expected one of r, radius, d, diameter";
+    }
+  }
+
+  std::size_t Count;
+  Radii RadiiAre;
+  NamesFit Found;
+  bool Differ = false;
+  std::string Complaint;
+};
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string_view> NameWords(std::string_view line)
+{
+  Names words = WithoutLabel(Split(WithoutSigns(line), Between::Anything));
+  if (const auto numbered = TakeNumbers(words))
+  {
+    words = numbered->Of;
+  }
+  return WithoutColons(WithoutUnits(words));
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string_view> WithoutNumbers(const std::vector<std::string_view>& names)
+{
+  const auto numbered = TakeNumbers(names);
+  const Names placed = numbered ? InPlace(*numbered, names.size()) : Names();
+  return placed.empty() ? names : placed;
+}
+
+//------------------------------------------------------------------------------
+NamesFit FitNames(std::string_view line, std::size_t count, Radii radii)
+{
+  line = WithoutSigns(line);
+  Readings readings(count, radii);
+  for (const Between between :
+    { Between::Anything, Between::Commas, Between::Tabs, Between::WideGaps })
+  {
+    readings.Try(Split(line, between));
+  }
+  NamesFit fit = readings.Result();
+  std::string complaint;
+  if (fit.What == NamesFit::NoNames && ColumnsFromNames(NameWords(line), complaint))
+  {
+    fit.What = NamesFit::Unclear;
+    fit.Complaint = complaint;
+  }
+  return fit;
+}
+}

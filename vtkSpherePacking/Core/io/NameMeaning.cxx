@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/NameMeaning.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+
+namespace spherepacking
+{
+namespace
+{
+using Words = std::set<std::string_view>;
+
+// Not std::tolower, which depends on the locale.
+char Lower(char c)
+{
+  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+// In lower case, words separated by one _ each: "equivalent_diameter" of "Equivalent-Diameter".
+std::string PlainWords(std::string_view text)
+{
+  std::string plain;
+  for (const char c : text)
+  {
+    const bool between = std::string_view(" \t_-.:").find(c) != std::string_view::npos;
+    if (!between)
+    {
+      plain += Lower(c);
+    }
+    else if (!plain.empty() && plain.back() != '_')
+    {
+      plain += '_';
+    }
+  }
+  while (!plain.empty() && plain.back() == '_')
+  {
+    plain.pop_back();
+  }
+  return plain;
+}
+
+// A unit of length in one spelling, or nothing.
+std::string LengthUnit(std::string_view word)
+{
+  static const std::map<std::string, std::string> units{ { "m", "m" }, { "meter", "m" },
+    { "metre", "m" }, { "meters", "m" }, { "metres", "m" }, { "dm", "dm" }, { "cm", "cm" },
+    { "mm", "mm" }, { "um", "um" }, { "\xC2\xB5m", "um" }, { "\xCE\xBCm", "um" },
+    { "micron", "um" }, { "microns", "um" }, { "nm", "nm" }, { "pm", "pm" }, { "km", "km" },
+    { "\xC3\xA5", "A" }, { "\xC3\x85", "A" }, { "\xE2\x84\xAB", "A" }, { "angstrom", "A" },
+    { "angstroms", "A" }, { "inch", "inch" }, { "inches", "inch" }, { "ft", "ft" }, { "px", "px" },
+    { "pixel", "px" }, { "pixels", "px" }, { "vox", "voxel" }, { "voxel", "voxel" },
+    { "voxels", "voxel" } };
+  std::string lower(word);
+  std::transform(lower.begin(), lower.end(), lower.begin(), Lower);
+  const auto found = units.find(lower);
+  return found == units.end() ? std::string() : found->second;
+}
+
+// Takes the unit off the end of a name: "[mm]", "(mm)", or "_mm".
+std::string_view TakeUnit(std::string_view name, NameMeaning& meaning)
+{
+  const auto trim = [](std::string_view text)
+  {
+    const std::size_t first = std::min(text.find_first_not_of(" \t"), text.size());
+    return text.substr(first, text.find_last_not_of(" \t") + 1 - first);
+  };
+  if (const std::size_t at = name.find_first_of("(["); at != name.npos)
+  {
+    const std::size_t end = std::min(name.find_first_of(")]", at), name.size());
+    meaning.Unit = LengthUnit(trim(name.substr(at + 1, end - at - 1)));
+    return trim(name.substr(0, at));
+  }
+  name = trim(name);
+  if (const std::size_t at = name.find_last_of(" \t_"); at != name.npos)
+  {
+    meaning.Unit = LengthUnit(name.substr(at + 1));
+    meaning.IsUnitGlued = !meaning.Unit.empty();
+    name = meaning.IsUnitGlued ? trim(name.substr(0, at)) : name;
+    const std::size_t in = name.size() < 4 ? name.npos : name.size() - 3;
+    const bool said = meaning.IsUnitGlued && in != name.npos && // "radius in mm"
+      (name.substr(in) == " in" || name.substr(in) == "_in");
+    return said ? trim(name.substr(0, in)) : name;
+  }
+  return name;
+}
+
+bool IsPlace(std::string_view word)
+{
+  static const Words places{ "pos", "position", "positions", "center", "centre", "centers",
+    "centres", "coord", "coords", "coordinate", "coordinates", "point", "points", "centroid",
+    "centroids", "location", "loc", "com", "c" };
+  return places.count(word) > 0;
+}
+
+// pos_x, posx, x_pos, xpos, points_0: the axis, with the place before or after it.
+bool FindAxis(const std::string& plain, NameMeaning& meaning)
+{
+  const auto take = [&](std::size_t at, std::string_view place, std::string_view axes)
+  {
+    const std::size_t axis = axes.find(plain[at]);
+    while (!place.empty() && (place.front() == '_' || place.back() == '_'))
+    {
+      place = place.front() == '_' ? place.substr(1) : place.substr(0, place.size() - 1);
+    }
+    if (axis == axes.npos || !(place.empty() || IsPlace(place)))
+    {
+      return false;
+    }
+    meaning.What = NameMeaning::Coordinate;
+    meaning.Axis = static_cast<int>(axis);
+    meaning.Family = plain;
+    meaning.Family[at] = '*';
+    return true;
+  };
+  const std::string_view view = plain;
+  const std::size_t last = plain.size() - 1;
+  // c_0 is what LAMMPS and others call any result of theirs.
+  const bool numbered = plain.size() > 3 && plain[last - 1] == '_';
+  return take(last, view.substr(0, last), "xyz") || take(0, view.substr(1), "xyz") ||
+    (numbered && take(last, view.substr(0, last), "012"));
+}
+
+// radius, r, particle_radius and so on, or the same of a diameter.
+void FindSize(const std::string& plain, NameMeaning& meaning)
+{
+  static const Words owners{ "equivalent", "equiv", "eq", "sphere", "spheres", "spherical",
+    "particle", "grain", "ball", "bead", "atom", "atomic", "pore", "bubble", "droplet", "vdw" };
+  struct Size
+  {
+    NameMeaning::Kind Kind;
+    Words Full;
+    Words Short;
+  };
+  static const std::array<Size, 2> sizes{
+    { { NameMeaning::Radius, { "radius", "radii" }, { "r", "rad" } },
+      { NameMeaning::Diameter, { "diameter", "diameters" }, { "d", "diam" } } }
+  };
+  const std::string_view view = plain;
+  const std::size_t cut = view.rfind('_');
+  const std::string_view word = cut == view.npos ? view : view.substr(cut + 1);
+  const bool owned = cut != view.npos && owners.count(view.substr(0, cut)) > 0;
+  for (const Size& size : sizes)
+  {
+    const bool full = size.Full.count(word) > 0;
+    if ((full && (owned || cut == view.npos)) || size.Short.count(view) > 0)
+    {
+      meaning.What = size.Kind;
+      meaning.IsFullWord = full && !owned;
+      meaning.IsLetter = view == "r";
+      return;
+    }
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+NameMeaning MeaningOfName(std::string_view name)
+{
+  static const std::map<std::string, NameMeaning::Kind> others{ { "g", NameMeaning::Green },
+    { "green", NameMeaning::Green }, { "b", NameMeaning::Blue }, { "blue", NameMeaning::Blue },
+    { "theta", NameMeaning::PolarAngle }, { "\xCE\xB8", NameMeaning::PolarAngle },
+    { "polar", NameMeaning::PolarAngle }, { "inclination", NameMeaning::PolarAngle },
+    { "elevation", NameMeaning::PolarAngle }, { "phi", NameMeaning::Azimuth },
+    { "\xCF\x86", NameMeaning::Azimuth }, { "\xCF\x95", NameMeaning::Azimuth },
+    { "azimuth", NameMeaning::Azimuth } };
+  NameMeaning meaning;
+  const std::string plain = PlainWords(TakeUnit(name, meaning));
+  if (plain.empty())
+  {
+    return meaning;
+  }
+  if (const auto other = others.find(plain); other != others.end())
+  {
+    meaning.What = other->second;
+    return meaning;
+  }
+  if (!FindAxis(plain, meaning))
+  {
+    FindSize(plain, meaning);
+  }
+  if (meaning.What == NameMeaning::Coordinate && meaning.IsUnitGlued)
+  {
+    meaning.Family += '_' + meaning.Unit;
+  }
+  return meaning;
+}
+
+//------------------------------------------------------------------------------
+bool IsUnit(std::string_view word)
+{
+  static const Words others{ "kg", "g", "s", "ms", "N", "Pa", "kPa", "MPa", "GPa", "J", "K", "deg",
+    "1", "-" };
+  return !LengthUnit(word).empty() || others.count(word) > 0 ||
+    word.find_first_of("/^") != word.npos;
+}
+
+//------------------------------------------------------------------------------
+bool IsNameOfTwoWords(std::string_view first, std::string_view second)
+{
+  static const Words things{ "particle", "grain", "atom", "sphere", "ball", "bead", "point", "node",
+    "body", "clump", "material", "pore", "cell", "molecule", "residue", "element", "group",
+    "cluster" };
+  static const Words properties{ "id", "ids", "number", "no", "nr", "num", "index", "idx", "type",
+    "name", "radius", "diameter" };
+  const std::string a = PlainWords(first);
+  const std::string b = PlainWords(second);
+  const bool axis = b == "x" || b == "y" || b == "z";
+  const bool axisFirst = a == "x" || a == "y" || a == "z";
+  return (things.count(a) > 0 && properties.count(b) > 0) || (IsPlace(a) && a != "c" && axis) ||
+    (axisFirst && IsPlace(b) && b != "c") || a == "equivalent" ||
+    (axis && (a == "velocity" || a == "force")) || (b == "number" && a == "coordination") ||
+    (b == "fraction" && a == "volume");
+}
+}

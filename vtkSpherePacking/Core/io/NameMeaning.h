@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef NameMeaning_h
+#define NameMeaning_h
+
+#include <string>
+#include <string_view>
+
+namespace spherepacking
+{
+/// What the name of a column means by itself, before the names beside it are looked at.
+struct NameMeaning
+{
+  enum Kind : unsigned char
+  {
+    Other,
+    Coordinate,
+    Radius,
+    Diameter,
+    Green,
+    Blue,
+    PolarAngle,
+    Azimuth,
+    Kinds
+  };
+  Kind What = Other;
+  bool IsFullWord = false;  ///< radius or diameter, neither shortened nor with words before it
+  bool IsLetter = false;    ///< r, which may be red or a distance, too
+  bool IsUnitGlued = false; ///< the unit follows without brackets, as in r_mm
+  int Axis = 0;
+  std::string Family; ///< of a coordinate: its name with * for the axis
+  std::string Unit;   ///< of length, in one spelling, if there is one
+};
+
+/// The family of x, y, z.
+constexpr const char* PlainFamily = "*";
+
+NameMeaning MeaningOfName(std::string_view name);
+
+/// Whether a word is a unit, such as mm or kg/m^3.
+bool IsUnit(std::string_view word);
+
+/// Whether two words are one name, such as "particle id".
+bool IsNameOfTwoWords(std::string_view first, std::string_view second);
+}
+
+#endif

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PrintableText_h
+#define PrintableText_h
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace spherepacking
+{
+/// `bytes` as UTF-8 for people and for Python: what is no character, or has no shape and may change
+/// how others look, is written \xNN, and a tab is a blank. After `longest` characters it ends in
+/// three points.
+std::string PrintableText(std::string_view bytes, std::size_t longest = std::string_view::npos);
+}
+
+#endif

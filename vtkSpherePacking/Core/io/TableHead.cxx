@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/TableHead.h"
+
+#include "io/NameMeaning.h"
+#include "io/PackingFormats.h"
+#include "io/Separators.h"
+#include "io/TextChunks.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <optional>
+
+namespace spherepacking
+{
+namespace
+{
+constexpr std::string_view Blanks = " \t";
+
+std::string_view Trim(std::string_view text)
+{
+  const std::size_t first = std::min(text.find_first_not_of(Blanks), text.size());
+  return text.substr(first, text.find_last_not_of(Blanks) + 1 - first);
+}
+
+/// A comment that may name one column.
+struct OneName
+{
+  std::string_view Name;
+  std::optional<std::size_t> Number;
+  bool NamesSphere = false;
+};
+
+// "2" and ": y [mm]" of "column 2: y [mm]".
+std::optional<std::size_t> TakeNumber(std::string_view& text)
+{
+  for (const std::string_view label : { "column", "Column", "col", "Col", "field", "Field" })
+  {
+    if (text.substr(0, label.size()) == label)
+    {
+      text = Trim(text.substr(label.size()));
+      break;
+    }
+  }
+  std::size_t number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc())
+  {
+    return std::nullopt;
+  }
+  text = Trim(text.substr(end - text.data()));
+  if (!text.empty() && std::string_view(":.)=-").find(text.front()) != std::string_view::npos)
+  {
+    text = Trim(text.substr(1));
+  }
+  return number;
+}
+
+bool NamesSphere(std::string_view name)
+{
+  const NameMeaning::Kind kind = MeaningOfName(name).What;
+  return kind == NameMeaning::Coordinate || kind == NameMeaning::Radius ||
+    kind == NameMeaning::Diameter;
+}
+
+// The name may have an explanation after it: "x: position in mm", "r (mm)", "radius of the sphere".
+OneName ReadOneName(const TextRange& comment)
+{
+  std::string_view text = View(comment);
+  text = Trim(text.substr(std::min(text.find_first_not_of('#'), text.size())));
+  OneName one;
+  one.Number = TakeNumber(text);
+  one.Name = text;
+  if (text.find('=') != text.npos)
+  {
+    return one; // "r = 0.5" gives a value, not a name
+  }
+  const std::size_t mark = std::min(text.find_first_of(":,;-"), text.size());
+  const std::size_t word = std::min(text.find_first_of(" \t:,;"), text.size());
+  for (const std::size_t length : { text.size(), mark, word })
+  {
+    const std::string_view name = Trim(text.substr(0, length));
+    const bool value = text.substr(length).find_first_of("0123456789") != text.npos;
+    if (!value && NamesSphere(name))
+    {
+      one.Name = name;
+      one.NamesSphere = true;
+      break;
+    }
+  }
+  return one;
+}
+
+// The names of the comments [first, first + count), one for each column.
+NamesFit FitLines(
+  const std::vector<OneName>& lines, std::size_t first, std::size_t count, Radii radii)
+{
+  std::vector<std::string_view> names;
+  for (std::size_t i = first; i < first + count; ++i)
+  {
+    names.push_back(lines[i].Name);
+  }
+  NamesFit fit;
+  auto columns = ColumnsFromNames(names, fit.Complaint, radii);
+  if (columns && fit.Complaint.empty())
+  {
+    fit.What = NamesFit::Fits;
+    fit.Columns = std::move(*columns);
+  }
+  else
+  {
+    fit.What = columns ? NamesFit::Unclear : NamesFit::NoNames;
+  }
+  return fit;
+}
+
+// Comments with numbers that count up: "column 1: id", "column 2: x".
+NamesFit FitNumberedLines(const std::vector<OneName>& lines, std::size_t count, Radii radii)
+{
+  for (std::size_t first = 0; first < lines.size(); ++first)
+  {
+    if (!lines[first].Number || *lines[first].Number > 1)
+    {
+      continue;
+    }
+    std::size_t last = first + 1;
+    while (last < lines.size() && lines[last].Number == *lines[last - 1].Number + 1)
+    {
+      ++last;
+    }
+    NamesFit fit = FitLines(lines, first, last - first, radii);
+    if (fit.What != NamesFit::NoNames)
+    {
+      fit.What = last - first == count ? fit.What : NamesFit::Unclear;
+      return fit;
+    }
+    first = last - 1;
+  }
+  return {};
+}
+
+// As many comments as columns, one name each, all of a sphere among them. There must be only one
+// place for them among the comments.
+NamesFit FitPlainLines(const std::vector<OneName>& lines, std::size_t count, Radii radii)
+{
+  std::array<int, 3> axes{};
+  int sizes = 0;
+  std::size_t first = lines.size();
+  std::size_t last = 0;
+  for (std::size_t i = 0; i < lines.size(); ++i)
+  {
+    if (lines[i].NamesSphere)
+    {
+      const NameMeaning meaning = MeaningOfName(lines[i].Name);
+      const bool axis = meaning.What == NameMeaning::Coordinate;
+      ++(axis ? axes[meaning.Axis] : sizes);
+      first = std::min(first, i);
+      last = i;
+    }
+  }
+  const bool all = axes[0] == 1 && axes[1] == 1 && axes[2] == 1;
+  if (!all || (sizes == 0 && radii == Radii::Required))
+  {
+    return {};
+  }
+  NamesFit fit;
+  if (sizes <= 1 && count <= lines.size() && last - first < count)
+  {
+    const std::size_t earliest = last + 1 > count ? last + 1 - count : 0;
+    const std::size_t latest = std::min(first, lines.size() - count);
+    if (earliest == latest)
+    {
+      fit = FitLines(lines, earliest, count, radii);
+    }
+  }
+  fit.What = fit.What == NamesFit::Fits ? fit.What : NamesFit::Unclear;
+  return fit;
+}
+}
+
+//------------------------------------------------------------------------------
+TableHead FindHead(const TextRange& text)
+{
+  TableHead head;
+  LineFinder find(text.End);
+  vtkIdType number = text.FirstLine;
+  for (const char* p = text.Begin; p != text.End; ++number)
+  {
+    const char* end = find(p);
+    const char* first = SkipBlanks(p, end);
+    if (IsRow(RowKind::Data, p, end))
+    {
+      head.Row = { first, end, number };
+      return head;
+    }
+    if (first != end)
+    {
+      head.Comments.push_back({ first, end, number });
+      constexpr std::string_view format = "#format";
+      const std::string_view comment(first, end - first);
+      if (comment.substr(0, format.size()) == format)
+      {
+        const auto fields = Separators::Liberal().Split(first + 1);
+        head.YadeNames = fields.size() >= 2 && fields[0] == "format" ? fields[1] : head.YadeNames;
+      }
+    }
+    p = SkipLineEnd(end, text.End);
+  }
+  ThrowNoSphere("lines of x y z radius");
+}
+
+//------------------------------------------------------------------------------
+CommentFit FitComments(const TableHead& head, std::size_t count, Radii radii)
+{
+  CommentFit unclear;
+  for (auto comment = head.Comments.rbegin(); comment != head.Comments.rend(); ++comment)
+  {
+    CommentFit fit{ FitNames(View(*comment), count, radii), *comment };
+    if (fit.What == NamesFit::Fits)
+    {
+      return fit;
+    }
+    if (fit.What == NamesFit::Unclear && unclear.What == NamesFit::NoNames)
+    {
+      unclear = std::move(fit);
+    }
+  }
+  std::vector<OneName> lines;
+  for (const TextRange& comment : head.Comments)
+  {
+    lines.push_back(ReadOneName(comment));
+  }
+  for (const auto fitLines : { FitNumberedLines, FitPlainLines })
+  {
+    NamesFit fit = fitLines(lines, count, radii);
+    if (fit.What == NamesFit::Fits ||
+      (fit.What == NamesFit::Unclear && unclear.What == NamesFit::NoNames))
+    {
+      return { std::move(fit), head.Comments.front() };
+    }
+  }
+  return unclear;
+}
+}
