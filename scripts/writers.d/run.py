@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib
 import pkgutil
+import re
 import shutil
 import sys
 from pathlib import Path
@@ -59,7 +60,7 @@ def _check(path: Path, written: Written) -> tuple[list[str], str]:
         packings = _read(path, written)
     except Exception as error:  # whatever a reader raises is what a user would see
         # Without radii, a file is refused with a sentence that says so.
-        if written.steps[0].radii is None and "radi" in str(error):
+        if written.steps[0].radii is None and re.search("radi|diameter", str(error)):
             return ["refused", "", "", "none"], ""
         return ["no"], f"{type(error).__name__}: {error}".replace(f"{path.parent}/", "")
     results = [_differences(p, s) for p, s in zip(packings, written.steps, strict=True)]

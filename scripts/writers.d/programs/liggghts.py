@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
+import numpy as np
 from truth import Cell, Step, Written, dump, table
 
 if TYPE_CHECKING:
@@ -78,7 +80,9 @@ def _vtk(text: str) -> Step:
     count = int(words[points + 1])
     xyz = numbers(points + 3, 3 * count)
     radii = numbers(words.index("radius") + 4, count)
-    return table(([*xyz[3 * i : 3 * i + 3], radii[i]] for i in range(count)), "x y z r")
+    step = table(([*xyz[3 * i : 3 * i + 3], radii[i]] for i in range(count)), "x y z r")
+    assert words[points + 2] == "float"
+    return replace(step, positions=np.float32(step.positions).astype(float))
 
 
 def _data(text: str) -> Step:
