@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
@@ -96,6 +96,12 @@ def dump(text: str, cell: Cell) -> list[Step]:
         assert len(rows) == int(head.split("NUMBER OF ATOMS\n")[1].split()[0])
         steps.append(table(rows, " ".join(same.get(name, name) for name in words[0]), cell))
     return steps
+
+
+def with_and_without_radius(name: str, steps: list[Step], radius: float = 0.5) -> list[Written]:
+    """Return a file without radii as it is, and as asked for with one radius for all spheres."""
+    given = [replace(step, radii=np.full(len(step.positions), radius)) for step in steps]
+    return [Written(name, steps), Written(name, given, {"radius": radius})]
 
 
 def lines(path: Path, skip: str = "#") -> list[list[str]]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from truth import Cell, Step, Written, lines, table
+from truth import Cell, Step, Written, lines, table, with_and_without_radius
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -47,6 +47,6 @@ def write(installed: Installed, folder: Path) -> tuple[str, list[Written]]:
     return version, [
         Written("steps.extxyz", xyz("steps.extxyz")),
         Written("extended.xyz", xyz("extended.xyz")),
-        Written("plain.xyz", [plain]),
-        Written("atomic.data", [data]),
+        *with_and_without_radius("plain.xyz", [plain]),
+        *with_and_without_radius("atomic.data", [data]),
     ]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from truth import Written, told
+from truth import Written, told, with_and_without_radius
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -67,4 +67,6 @@ print("version", gsd.version.version)
 
 def write(installed: Installed, folder: Path) -> tuple[str, list[Written]]:
     version = installed.run_python(_SCRIPT, folder).split("version ")[1].split()[0]
-    return version, told(folder / "told.json")
+    files = {file.name: file for file in told(folder / "told.json")}
+    absent = files.pop("absent.gsd")
+    return version, [*files.values(), *with_and_without_radius("absent.gsd", absent.steps)]

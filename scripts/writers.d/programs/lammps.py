@@ -5,7 +5,7 @@ from __future__ import annotations
 import gzip
 from typing import TYPE_CHECKING
 
-from truth import Cell, Step, Written, dump, table
+from truth import Cell, Step, Written, dump, table, with_and_without_radius
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -57,12 +57,14 @@ _CELL = Cell(_EDGES, _ORIGIN, [True, False, True])
 
 def write(installed: Installed, folder: Path) -> tuple[str, list[Written]]:
     version = installed.run_python(_SCRIPT, folder).split("version ")[1].split()[0]
-    dumps = ["run.lammpstrj", "fractions.dump", "unwrapped.dump", "part.0.dump", "atoms.dump"]
+    dumps = ["run.lammpstrj", "fractions.dump", "unwrapped.dump", "part.0.dump"]
+    atoms = dump((folder / "atoms.dump").read_text(), _CELL)
     packed = gzip.decompress((folder / "packed.dump.gz").read_bytes()).decode()
     return version, [
         *(Written(name, dump((folder / name).read_text(), _CELL)) for name in dumps),
         Written("packed.dump.gz", dump(packed, _CELL)),
-        Written("extended.xyz", _xyz((folder / "extended.xyz").read_text())),
+        *with_and_without_radius("atoms.dump", atoms),
+        *with_and_without_radius("extended.xyz", _xyz((folder / "extended.xyz").read_text())),
         Written("run.data", [_data((folder / "run.data").read_text())]),
     ]
 
