@@ -56,10 +56,11 @@ def write(installed: Installed, folder: Path) -> tuple[str, list[Written]]:
         command = ["mpirun.openmpi", "-np", "2", "esysparticle", "run.py"]
         installed.run_debian(command, folder)
     # Upstream: Debian's build of 2.3.5 has no revision to write behind this, and dump2geo, which
-    # expects it, would write no particle and a box of whatever is in memory.
-    for head in folder.glob("*_0.txt"):
+    # expects it, would write no particle and a box of whatever is in memory. Of the others the head
+    # stays as it is.
+    for head in folder.glob("read_*_0.txt"):
         head.write_text(re.sub(r"(bzr_rev\.) \n", r"\1 1\n", head.read_text()))
-    tool = ["dump2geo", "-i", "read", "-o", "dump", "-t", "0", "1", "20"]
+    tool = ["dump2geo", "-i", "read", "-o", "dump", "-t", "0", "1", "20", "-rot"]
     installed.run_debian(tool, folder)
     files = []
     for name in ("in.geo", "dump0.geo"):
