@@ -54,6 +54,7 @@ class Installed:
             "PYTHONPATH": str(usr / "lib/python3/dist-packages"),
             "PATH": f"{usr / 'bin'}:{os.environ['PATH']}",
             "YADE_PREFIX": str(usr),
+            "GMXLIB": str(usr / "share/gromacs/top"),
             "OPENBLAS_NUM_THREADS": "1",
             "OPAL_PREFIX": str(mpi),
             "OPAL_BINDIR": str(usr / "bin"),
