@@ -132,7 +132,7 @@ def test_steps_longer_than_a_block_of_the_search(read_text, read_error, tmp_path
     # Titles lie at, before and after the cuts of 16 MiB; each step has another number of atoms.
     rng = np.random.default_rng(3)
     counts = rng.integers(60000, 400000, 6)
-    row = "1.25 2.5 3.75 0.5 " + "#" * 40
+    row = "1.25 2.5 3.75 0.5" + "0" * 41
     text = "".join(step(i, "x y z radius", [row] * n) for i, n in enumerate(counts))
     pad = 16 * 2**20 - text.rindex("ITEM: TIMESTEP", 0, 16 * 2**20)
     texts = [text]

@@ -12,8 +12,7 @@
 
 namespace spherepacking
 {
-const char* const ColumnsHint =
-  "columns=\"id x y z r\" (--columns) or the like, which says what they are";
+const char* const ColumnsHint = "columns=\"id x y z r\" (--columns) to say what they are";
 
 namespace
 {

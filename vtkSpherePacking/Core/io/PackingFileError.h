@@ -39,8 +39,11 @@ class LineError : public ContentError
 public:
   LineError(long long line, const std::string& what)
     : ContentError(what, "line " + std::to_string(line))
+    , Line(line)
   {
   }
+
+  long long Line;
 };
 
 /// Throws the PackingFileError "FILE, LOCATION: WHAT".

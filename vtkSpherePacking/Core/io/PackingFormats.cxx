@@ -7,6 +7,7 @@
 #include "io/MercuryHeader.h"
 #include "io/PackingFileError.h"
 #include "io/TextChunks.h"
+#include "io/UnicodeText.h"
 #include "io/Utf8Mark.h"
 #include "io/XyzComment.h"
 
@@ -107,6 +108,10 @@ Format GuessFormat(const std::string& file)
   }
   constexpr unsigned long long head = 1 << 16;
   const FileBytes bytes = FileBytes::ReadHead(file, head);
+  if (HasWideMark(bytes))
+  {
+    return format == Format::Auto ? Format::Spheres : format; // no program writes UTF-16
+  }
   const Format ofText = FormatOfText(bytes.Begin(), bytes.End());
   if (format == Format::Auto && ofText == Format::Spheres)
   {

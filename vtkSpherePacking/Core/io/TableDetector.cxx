@@ -61,7 +61,7 @@ class Detector
 public:
   Detector(Format format, const ReadOptions& options, TextRange& text)
     : FormatIs(format)
-    , RadiiAre(RadiiOf(options))
+    , RadiiAre(options.RadiusOptional ? Radii::Optional : Radii::Required)
     , Head(FindHead(text))
     , Text(text)
   {
@@ -119,10 +119,10 @@ private:
     if (!this->TakeYadeFormat(fields.size()) && !this->TakeComments(fields.size()))
     {
       this->CheckProse();
-      this->Layout.IsNameless = true;
       this->Layout.Columns = NamelessColumns(this->FormatIs, this->Text, row, this->RadiiAre);
     }
     MarkTextColumns(this->Layout, row.Begin);
+    this->Layout.Cell = this->Head.Cell;
   }
 
   void SkipHeader()
@@ -237,7 +237,12 @@ private:
       this->Layout.Columns = std::move(fit.Columns);
       return true;
     }
-    if (fit.What == NamesFit::NoNames || this->FirstFourAreNamed(fit.Line, count))
+    if (fit.What == NamesFit::NoNames)
+    {
+      this->Layout.IsNameless = true;
+      return false;
+    }
+    if (this->FirstFourAreNamed(fit.Line, count))
     {
       return false;
     }
@@ -307,9 +312,8 @@ private:
     {
       throw LineError(row.FirstLine,
         "found " + QuoteLine(row) +
-          ", which is neither a row of numbers nor a header, expected x y z radius in each line "
-          "and "
-          "# before remarks, or " +
+          ", which is neither a row of numbers nor a header, expected lines of x y z radius, and # "
+          "before remarks; or a header of names, or " +
           ColumnsHint);
     }
   }

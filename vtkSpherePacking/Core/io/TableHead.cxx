@@ -2,6 +2,8 @@
 #include "io/TableHead.h"
 
 #include "io/NameMeaning.h"
+#include "io/Number.h"
+#include "io/PackingFileError.h"
 #include "io/PackingFormats.h"
 #include "io/Separators.h"
 #include "io/TextChunks.h"
@@ -9,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <limits>
 #include <optional>
 
 namespace spherepacking
@@ -176,6 +179,39 @@ NamesFit FitPlainLines(const std::vector<OneName>& lines, std::size_t count, Rad
   fit.What = fit.What == NamesFit::Fits ? fit.What : NamesFit::Unclear;
   return fit;
 }
+// Lines that YADE writes: "#format x_y_z_r" before exported spheres, and "##PERIODIC:: a b c", the
+// edges of the cell, before packings of x y z r, in some with the number of a clump
+// (V. Smilauer et al., "Yade Documentation", 2021).
+void ReadYadeLine(const TextRange& comment, TableHead& head)
+{
+  const auto fields = Separators::Liberal().Split(comment.Begin + 1);
+  if (fields.size() >= 2 && fields[0] == "format" && fields[0].data() == comment.Begin + 1)
+  {
+    head.YadeNames = fields[1];
+  }
+  constexpr std::string_view periodic = "##PERIODIC::";
+  const std::string_view line = View(comment);
+  if (line.substr(0, periodic.size()) != periodic)
+  {
+    return;
+  }
+  head.YadeNames = head.YadeNames.empty() ? "x_y_z_r_attrs" : head.YadeNames;
+  SimulationCell cell{};
+  const auto edges = Separators::Liberal().Split(comment.Begin + periodic.size());
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    double& edge = cell.Vectors[i][i];
+    if (edges.size() != 3 ||
+      ParseNumber(edges[i].data(), edges[i].data() + edges[i].size(), edge) !=
+        edges[i].data() + edges[i].size() ||
+      !(edge > 0 && edge <= std::numeric_limits<double>::max()))
+    {
+      throw LineError(comment.FirstLine,
+        "found " + Quote(comment.Begin, comment.End) + ", expected the three edges of a cell");
+    }
+  }
+  head.Cell = cell;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -196,13 +232,7 @@ TableHead FindHead(const TextRange& text)
     if (first != end)
     {
       head.Comments.push_back({ first, end, number });
-      constexpr std::string_view format = "#format";
-      const std::string_view comment(first, end - first);
-      if (comment.substr(0, format.size()) == format)
-      {
-        const auto fields = Separators::Liberal().Split(first + 1);
-        head.YadeNames = fields.size() >= 2 && fields[0] == "format" ? fields[1] : head.YadeNames;
-      }
+      ReadYadeLine(head.Comments.back(), head);
     }
     p = SkipLineEnd(end, text.End);
   }

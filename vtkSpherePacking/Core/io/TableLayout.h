@@ -2,8 +2,8 @@
 #ifndef TableLayout_h
 #define TableLayout_h
 
-#include "io/ColumnNames.h"
 #include "bridge/PackingArrays.h"
+#include "io/ColumnNames.h"
 #include "io/Separators.h"
 #include "io/TableColumn.h"
 #include "io/TextChunks.h"
@@ -20,10 +20,10 @@ struct TableLayout
   std::vector<Column> Columns;
   Separators Between = Separators::Liberal();
   RowKind Rows = RowKind::Data;
-  std::optional<SimulationCell>
-    Box;                   ///< if the coordinates are scaled, that is fractions of this box
-  std::string Expected;    ///< describes the columns, for messages
-  bool IsNameless = false; ///< whether nobody has named the columns
+  std::optional<SimulationCell> Box;  ///< if the coordinates are scaled, that is fractions of it
+  std::string Expected;               ///< describes the columns, for messages
+  bool IsNameless = false;            ///< whether nobody has named the columns
+  std::optional<SimulationCell> Cell; ///< that of the packing, where the header gives one
 };
 
 /// Makes those further columns text that hold anything but a number in the row at `p`; an empty
