@@ -357,6 +357,12 @@ std::vector<std::string_view> NameWords(std::string_view line)
 }
 
 //------------------------------------------------------------------------------
+bool AreNumbered(std::string_view line)
+{
+  return TakeNumbers(WithoutLabel(Split(WithoutSigns(line), Between::Anything))).has_value();
+}
+
+//------------------------------------------------------------------------------
 std::vector<std::string_view> WithoutNumbers(const std::vector<std::string_view>& names)
 {
   const auto numbered = TakeNumbers(names);

@@ -31,6 +31,9 @@ struct NamesFit
  */
 std::vector<std::string_view> NameWords(std::string_view line);
 
+/// Whether all words of `line` have the number of a column before them.
+bool AreNumbered(std::string_view line);
+
 /// The names without the numbers of their columns before them, "1:x", if all have one and in a way
 /// that puts each in a column.
 std::vector<std::string_view> WithoutNumbers(const std::vector<std::string_view>& names);

@@ -190,8 +190,8 @@ NameMeaning MeaningOfName(std::string_view name)
 //------------------------------------------------------------------------------
 bool IsUnit(std::string_view word)
 {
-  static const Words others{ "kg", "g", "s", "ms", "N", "Pa", "kPa", "MPa", "GPa", "J", "K", "deg",
-    "1", "-" };
+  // None of a letter but m: g may be green and n a number.
+  static const Words others{ "kg", "Pa", "kPa", "MPa", "GPa", "deg" };
   return !LengthUnit(word).empty() || others.count(word) > 0 ||
     word.find_first_of("/^") != word.npos;
 }

@@ -29,9 +29,9 @@ std::vector<Column> NamelessColumns(
  */
 void CheckFirstColumn(const TextRange& text, const TableLayout& layout);
 
-/// Throws if the first row holds the number of the others and their box: with four columns they lie
-/// in it; with more none of them begins with a whole number, too.
-void CheckFirstRow(const TextRange& text, const TableLayout& layout, const PackingArrays& arrays);
+/// Throws if the first row holds the number of the others and three lengths or six bounds of a box
+/// that they lie in.
+void CheckFirstRow(const TextRange& text, const PackingArrays& arrays);
 }
 
 #endif

@@ -27,7 +27,7 @@ PackingArrays ParseTextTable(
   if (layout.IsNameless)
   {
     CheckFirstColumn(text, layout);
-    CheckFirstRow(text, layout, arrays);
+    CheckFirstRow(text, arrays);
   }
   if (layout.Cell)
   {

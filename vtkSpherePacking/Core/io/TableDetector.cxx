@@ -261,7 +261,7 @@ private:
   {
     std::string complaint;
     const auto columns = ColumnsFromNames(NameWords(View(line)), complaint);
-    if (!columns)
+    if (!columns || AreNumbered(View(line)))
     {
       return false;
     }

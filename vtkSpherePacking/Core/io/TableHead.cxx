@@ -80,7 +80,7 @@ OneName ReadOneName(const TextRange& comment)
   }
   const std::size_t mark = std::min(text.find_first_of(":,;-"), text.size());
   const std::size_t word = std::min(text.find_first_of(" \t:,;"), text.size());
-  for (const std::size_t length : { text.size(), mark, word })
+  for (const std::size_t length : { mark, text.size(), word })
   {
     const std::string_view name = Trim(text.substr(0, length));
     const bool value = text.substr(length).find_first_of("0123456789") != text.npos;
