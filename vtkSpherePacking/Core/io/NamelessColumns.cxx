@@ -144,7 +144,8 @@ std::vector<Column> NamelessColumns(
 //------------------------------------------------------------------------------
 void CheckFirstColumn(const TextRange& text, const TableLayout& layout)
 {
-  if (layout.Columns.size() <= 4 || layout.Columns[0].Role != ColumnRole::X)
+  if (layout.Named == Naming::All || layout.Columns.size() <= 4 ||
+    layout.Columns[0].Role != ColumnRole::X)
   {
     return;
   }
@@ -178,7 +179,8 @@ void CheckFirstColumn(const TextRange& text, const TableLayout& layout)
     return;
   }
   std::sort(values.begin(), values.end());
-  const bool distinct = std::adjacent_find(values.begin(), values.end()) == values.end();
+  const bool distinct = layout.Named == Naming::None &&
+    std::adjacent_find(values.begin(), values.end()) == values.end();
   if (distinct || pointBeside)
   {
     throw LineError(first.FirstLine,

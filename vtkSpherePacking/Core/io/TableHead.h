@@ -33,6 +33,7 @@ inline std::string_view View(const TextRange& line)
 struct CommentFit : NamesFit
 {
   TextRange Line{ nullptr, nullptr, 0 };
+  bool OneEach = false; ///< a comment for each column
 };
 
 /**

@@ -22,6 +22,14 @@ struct BoxFrame
   double Edges[3][3];
 };
 
+/// Which columns of a table somebody has named.
+enum class Naming : unsigned char
+{
+  All,
+  FirstFour, ///< x, y, z and radius, but not all others
+  None
+};
+
 /// How to read the rows of a table.
 struct TableLayout
 {
@@ -30,7 +38,7 @@ struct TableLayout
   RowKind Rows = RowKind::Data;
   std::optional<BoxFrame> Box; ///< if the coordinates are scaled, that is fractions of this box
   std::string Expected;        ///< describes the columns, for messages
-  bool IsNameless = false;     ///< whether nobody has named the columns
+  Naming Named = Naming::All;
   std::optional<SimulationCell> Cell; ///< that of the packing, where the header gives one
 };
 
