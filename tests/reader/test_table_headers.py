@@ -18,10 +18,18 @@ SIZES = {
     "diameter": ["d", "D", "diameter", "Diameter", "diam", "grain_diameter"],
 }
 IDS = ["id", "ID", "index", "nr", "tag", "Particle ID", "Grain number", "atom id"]
-EXTRAS = ["mass", "vx", "vy", "vz", "rho", "q", "type", "material", "T", "m", "n", "s", "density"]
+EXTRAS = ["mass", "vx", "vy", "vz", "rho", "q", "type", "phase", "T", "m", "n", "s", "density"]
 EXTRAS += ["volume", "fx", "stress_xx", "x_y", "radial", "rx", "dx", "xx", "z0", "kind of", "xmin"]
 AXES = ["{}", "{}", "{}", "pos_{}", "{}_pos", "center_{}", "c{}", "coord{}"]
-NOTES = ["made by a script", "3 spheres in a box", "x-ray scan", "r = 0.5", "1 2 3 4", "seed: 7", ""]
+NOTES = [
+    "made by a script",
+    "3 spheres in a box",
+    "x-ray scan",
+    "r = 0.5",
+    "1 2 3 4",
+    "seed: 7",
+    "",
+]
 
 
 class Table:
@@ -98,7 +106,10 @@ class Table:
         unit = rng.choice(["", "", "", "{} [mm]", "{}(mm)", "{} (in mm)", "{} mm", "{}_mm"])
         if unit:
             lengths = [column["kind"] == "length" for column in self.columns]
-            names = [unit.format(n) if is_length else n for n, is_length in zip(names, lengths, strict=True)]
+            names = [
+                unit.format(n) if is_length else n
+                for n, is_length in zip(names, lengths, strict=True)
+            ]
         self.unit = unit
         if unit and self.red and not self.angles:
             self.refuse = self.clean = False  # R in mm is no color

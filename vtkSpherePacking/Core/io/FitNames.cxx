@@ -197,27 +197,31 @@ Names InPlace(const Numbered& numbered, std::size_t count)
   return names;
 }
 
-// Whether the first word only says that names follow. #C does in files of IMD.
-bool IsLabel(std::string_view word)
+// The first word of a line, up to a blank.
+std::string_view FirstWord(std::string_view line)
 {
-  static const std::set<std::string_view> labels{ "columns", "Columns", "column", "fields",
-    "Fields", "names", "Names", "header", "variables", "VARIABLES", "C" };
-  return labels.count(word) > 0 ||
-    (word.size() > 2 && word.back() == ':' && (word[0] < '0' || word[0] > '9'));
+  return line.substr(0, std::min(line.find_first_of(" \t"), line.size()));
 }
 
-Names WithoutLabel(Names names)
+// The line without a word that says that names follow, such as "columns:", but not "id: x: y:".
+std::string_view WithoutLabel(std::string_view line)
 {
-  const bool colon = !names.empty() && names[0].size() > 2 && names[0].back() == ':';
-  if (!names.empty() && IsLabel(names[0]))
-  {
-    names.erase(names.begin());
-    if (!colon && !names.empty() && names[0] == "=")
-    {
-      names.erase(names.begin());
-    }
-  }
-  return names;
+  const auto isLabel = [](std::string_view word)
+  { return word.size() > 1 && word.back() == ':' && (word[0] < '0' || word[0] > '9'); };
+  const std::string_view word = FirstWord(line);
+  const std::string_view rest = Trim(line.substr(word.size()));
+  const bool label = isLabel(word) && word.size() > 2 && !isLabel(FirstWord(rest));
+  return label ? rest : line;
+}
+
+// The same where the word may be a name, too. #C does so in files of IMD.
+std::string_view WithoutLabelWord(std::string_view line)
+{
+  static const std::set<std::string_view> labels{ "columns", "Columns", "fields", "Fields", "names",
+    "Names", "header", "variables", "VARIABLES", "C" };
+  const std::string_view word = FirstWord(line);
+  line = labels.count(word) > 0 ? Trim(line.substr(word.size())) : line;
+  return line.substr(0, 1) == "=" ? Trim(line.substr(1)) : line;
 }
 
 Names WithoutColons(Names names)
@@ -269,6 +273,11 @@ Names JoinTwoWords(const Names& names)
   return joined;
 }
 
+Names SplitWords(std::string_view line)
+{
+  return Split(WithoutLabelWord(WithoutLabel(WithoutSigns(line))), Between::Anything);
+}
+
 /// Collects the readings of one line.
 class Readings
 {
@@ -282,13 +291,8 @@ public:
   // Reads names in all ways that words may belong together.
   void Try(const Names& names)
   {
-    const Names labelled = WithoutLabel(names);
     this->TryUnits(names);
-    if (labelled.size() != names.size())
-    {
-      this->TryUnits(labelled);
-    }
-    if (const auto numbered = TakeNumbers(labelled))
+    if (const auto numbered = TakeNumbers(names))
     {
       if (const Names placed = InPlace(*numbered, this->Count); !placed.empty())
       {
@@ -296,6 +300,8 @@ public:
       }
     }
   }
+
+  bool Fit() const { return this->Found.What == NamesFit::Fits; }
 
   NamesFit Result() const
   {
@@ -367,7 +373,7 @@ private:
 //------------------------------------------------------------------------------
 std::vector<std::string_view> NameWords(std::string_view line)
 {
-  Names words = WithoutLabel(Split(WithoutSigns(line), Between::Anything));
+  Names words = SplitWords(line);
   if (const auto numbered = TakeNumbers(words))
   {
     words = numbered->Of;
@@ -403,7 +409,7 @@ bool NamesSomeOfSphere(const std::vector<std::string_view>& words, std::size_t c
 //------------------------------------------------------------------------------
 bool AreNumbered(std::string_view line)
 {
-  return TakeNumbers(WithoutLabel(Split(WithoutSigns(line), Between::Anything))).has_value();
+  return TakeNumbers(SplitWords(line)).has_value();
 }
 
 //------------------------------------------------------------------------------
@@ -417,18 +423,31 @@ std::vector<std::string_view> WithoutNumbers(const std::vector<std::string_view>
 //------------------------------------------------------------------------------
 NamesFit FitNames(std::string_view line, std::size_t count, Radii radii)
 {
-  line = WithoutSigns(line);
+  line = WithoutLabel(WithoutSigns(line));
+  std::vector<std::string_view> lines{ line };
+  if (const std::string_view rest = WithoutLabelWord(line); rest != line)
+  {
+    lines.push_back(rest);
+  }
+  // Commas, tabs and wide gaps say more than single blanks, which may be within names.
   Readings readings(count, radii);
   for (const Between between :
-    { Between::Anything, Between::Commas, Between::Tabs, Between::WideGaps })
+    { Between::Commas, Between::Tabs, Between::WideGaps, Between::Anything })
   {
-    readings.Try(Split(line, between));
+    if (between == Between::Anything && readings.Fit())
+    {
+      break;
+    }
+    for (const std::string_view names : lines)
+    {
+      readings.Try(Split(names, between));
+    }
   }
   NamesFit fit = readings.Result();
   std::string complaint;
   if (fit.What == NamesFit::NoNames &&
     (ColumnsFromNames(NameWords(line), complaint) ||
-      NamesSomeOfSphere(WithoutUnits(Split(line, Between::Anything)), count)))
+      NamesSomeOfSphere(WithoutUnits(SplitWords(line)), count)))
   {
     fit.What = NamesFit::Unclear;
     fit.Complaint = complaint;

@@ -101,11 +101,8 @@ private:
   void DetectPlain()
   {
     const TextRange& row = this->Head.Row;
-    std::string complaint;
     const Fields fields = this->Layout.Between.Split(row.Begin);
-    if (ColumnsFromNames(fields, complaint, Radii::Optional) ||
-      ColumnsFromNames(NameWords(View(row)), complaint, Radii::Optional) ||
-      FitNames(View(row), fields.size(), Radii::Optional).What == NamesFit::Fits)
+    if (this->IsHeader(fields))
     {
       this->SkipHeader();
       this->TakePlainHeader();
@@ -129,6 +126,27 @@ private:
   {
     const TextRange& row = this->Head.Row;
     this->Text = { SkipLineEnd(row.End, this->Text.End), this->Text.End, row.FirstLine + 1 };
+  }
+
+  // Whether the first row names coordinates, by itself or over as many columns as the next row has.
+  bool IsHeader(const Fields& fields) const
+  {
+    const std::string_view line = View(this->Head.Row);
+    std::string complaint;
+    if (ColumnsFromNames(fields, complaint, Radii::Optional) ||
+      ColumnsFromNames(NameWords(line), complaint, Radii::Optional))
+    {
+      return true;
+    }
+    if (std::any_of(fields.begin(), fields.end(), IsNumber))
+    {
+      return false;
+    }
+    const TextRange next =
+      FindRow({ SkipLineEnd(this->Head.Row.End, this->Text.End), this->Text.End });
+    return next.Begin &&
+      FitNames(line, this->Layout.Between.Split(next.Begin).size(), Radii::Optional).What ==
+      NamesFit::Fits;
   }
 
   // A header whose names are the fields between delimiters.

@@ -48,13 +48,15 @@ std::optional<std::size_t> TakeNumber(std::string_view& text)
     }
   }
   std::size_t number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  const std::size_t bracket = !text.empty() && (text[0] == '[' || text[0] == '(') ? 1 : 0;
+  const auto [end, error] =
+    std::from_chars(text.data() + bracket, text.data() + text.size(), number);
   if (error != std::errc())
   {
     return std::nullopt;
   }
   text = Trim(text.substr(end - text.data()));
-  if (!text.empty() && std::string_view(":.)=-").find(text.front()) != std::string_view::npos)
+  if (!text.empty() && std::string_view(":.)]=-").find(text.front()) != std::string_view::npos)
   {
     text = Trim(text.substr(1));
   }
@@ -243,6 +245,23 @@ TableHead FindHead(const TextRange& text)
     p = SkipLineEnd(end, text.End);
   }
   ThrowNoSphere("lines of x y z radius");
+}
+
+//------------------------------------------------------------------------------
+TextRange FindRow(const TextRange& text)
+{
+  LineFinder find(text.End);
+  vtkIdType number = text.FirstLine;
+  for (const char* p = text.Begin; p != text.End; ++number)
+  {
+    const char* const end = find(p);
+    if (IsRow(RowKind::Data, p, end))
+    {
+      return { SkipBlanks(p, end), end, number };
+    }
+    p = SkipLineEnd(end, text.End);
+  }
+  return { nullptr, nullptr, 0 };
 }
 
 //------------------------------------------------------------------------------
