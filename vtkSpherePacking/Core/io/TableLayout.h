@@ -14,16 +14,6 @@
 
 namespace spherepacking
 {
-<<<<<<< HEAD
-=======
-/// The periodic box of scaled coordinates: x, y, z lie at Origin + x Edges[0] + y Edges[1] +
-/// z Edges[2].
-struct BoxFrame
-{
-  double Origin[3];
-  double Edges[3][3];
-};
-
 /// Which columns of a table somebody has named.
 enum class Naming : unsigned char
 {
@@ -32,22 +22,15 @@ enum class Naming : unsigned char
   None
 };
 
->>>>>>> refs/h/tables
 /// How to read the rows of a table.
 struct TableLayout
 {
   std::vector<Column> Columns;
   Separators Between = Separators::Liberal();
   RowKind Rows = RowKind::Data;
-<<<<<<< HEAD
-  std::optional<SimulationCell> Box;  ///< if the coordinates are scaled, that is fractions of it
-  std::string Expected;               ///< describes the columns, for messages
-  bool IsNameless = false;            ///< whether nobody has named the columns
-=======
-  std::optional<BoxFrame> Box; ///< if the coordinates are scaled, that is fractions of this box
-  std::string Expected;        ///< describes the columns, for messages
+  std::optional<SimulationCell> Box; ///< if the coordinates are scaled, that is fractions of it
+  std::string Expected;              ///< describes the columns, for messages
   Naming Named = Naming::All;
->>>>>>> refs/h/tables
   std::optional<SimulationCell> Cell; ///< that of the packing, where the header gives one
 };
 
