@@ -34,7 +34,7 @@ def test_columns_and_names(read_text, name, end):
     packing = read_text(step(0, COLUMNS, ROWS).replace("\n", end), name)
     assert packing.points.tolist() == [[0.5, 1.5, 2.5], [3.5, 4.5, -5.5]]
     assert packing["radius"].tolist() == [0.25, 0.75]
-    assert packing.array_names == ["radius", "id", "type", "element"]
+    assert packing.point_data.keys() == ["radius", "id", "type", "element"]
     assert packing["id"].tolist() == [1, 2]
 
 
