@@ -5,9 +5,10 @@ A packing is a :class:`pyvista.PolyData`: its points are the centres of the sphe
 
 - ``pyvista.read(path)`` and ``packing.save(path)``: files of packings
 - ``packing.packing``: the accessor, with ``ray_cast``, ``path_trace``, ``pick``, ``metaballs``,
-  ``metaball_field``, ``bvh_boxes``, ``grid_boxes``, ``bounds``, ``plot``; see PackingAccessor
-- ``plotter.packing``: the component, with ``add``, ``add_metaballs``, ``path_trace``,
-  ``screenshot``; see PackingComponent
+  ``metaball_field``, ``bvh_boxes``, ``grid_boxes``, ``contacts``, ``wrap``, ``replicate``,
+  ``ghosts``, ``bounds``, ``plot``; see PackingAccessor
+- ``plotter.packing``: the component, with ``add``, ``add_contacts``, ``add_metaballs``,
+  ``path_trace``, ``screenshot``; see PackingComponent
 
 Functions, all in ``spherepacking``:
 

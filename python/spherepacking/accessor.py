@@ -10,6 +10,7 @@ import pyvista as pv
 from pyvista.core._typing_core import BoundsTuple
 
 from .datasets import DatasetPacking, centres_of
+from .granular.accessor import GranularOfPacking
 from .look.look import Look
 from .metaballs.accessor import MetaballsOfPacking
 from .packing import check_radii
@@ -33,7 +34,7 @@ if TYPE_CHECKING:
 @pv.register_dataset_accessor("packing", pv.PartitionedDataSet)
 @pv.register_dataset_accessor("packing", pv.MultiBlock)
 @pv.register_dataset_accessor("packing", pv.DataSet)
-class PackingAccessor(BoxesOfPacking, MetaballsOfPacking):
+class PackingAccessor(BoxesOfPacking, GranularOfPacking, MetaballsOfPacking):
     """Points as centres of spheres, the point array ``radius`` as their radii.
 
     Without one of that name, an array called radii, Radius, diameter, r, d or the like holds the

@@ -56,6 +56,12 @@ def packing_of(dataset: object, radius: RadiusLike | None = None) -> pv.PolyData
     return with_radius_array(packing, radius)
 
 
+def plain_packing(dataset: object) -> pv.PolyData:
+    """`dataset` if it is a PolyData, else its points as one, with all arrays as they are."""
+    wrapped = wrap(dataset)
+    return wrapped if isinstance(wrapped, pv.PolyData) else centres_of(wrapped)
+
+
 def wrap(dataset: object) -> Any:
     """`dataset` as one of PyVista's, or a TypeError unless it has points."""
     wrapped = pv.wrap(dataset) if hasattr(dataset, "IsA") else dataset

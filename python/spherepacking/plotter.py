@@ -10,6 +10,7 @@ import pyvista as pv
 
 from . import checks
 from .datasets import packing_of, with_radii
+from .granular.plotter import GranularOfPlotter
 from .look.color_map import color_map_of, widened
 from .look.look import Look
 from .look.material import property_of
@@ -35,7 +36,7 @@ if TYPE_CHECKING:
 
 
 @pv.register_plotter_component("packing")
-class PackingComponent(MetaballsOfPlotter):
+class PackingComponent(GranularOfPlotter, MetaballsOfPlotter):
     """Adds sphere packings to a plotter; every plotter has one as ``plotter.packing``.
 
     Parameters
@@ -98,6 +99,7 @@ class PackingComponent(MetaballsOfPlotter):
         specular: float | None = None,
         specular_power: float | None = None,
         user_matrix: ArrayLike | None = None,
+        show_cell: bool | ColorLike = False,
         pickable: bool = True,
         reset_camera: bool | None = None,
         render: bool = True,
@@ -166,6 +168,9 @@ class PackingComponent(MetaballsOfPlotter):
         user_matrix : array_like, optional
             Transformation (4, 4) of the actor: rotation, mirroring, translation and a uniform
             scale, since spheres stay spheres.
+        show_cell : bool or ColorLike, default: False
+            Draw the edges of the packing's cell (field arrays ``cell_vectors``, ``cell_origin``),
+            in the theme's colour of outlines or this one.
         pickable : bool, default: True
             Whether the actor can be picked.
         reset_camera : bool, optional
@@ -214,6 +219,7 @@ class PackingComponent(MetaballsOfPlotter):
         prop = property_of(plotter.theme, lighting, ambient, diffuse, specular, specular_power)
         values = scalars_of(shown, scalars, rgb, active=color is None)
         plain = checks.color_of("color", color)
+        cell = self._cell_to_show(shown, show_cell)
         color_map = color_map_of(
             values,
             plotter.theme,
@@ -242,6 +248,7 @@ class PackingComponent(MetaballsOfPlotter):
         )
         actor = pv.Actor(mapper, prop)
         actor.user_matrix = matrix
+        self._show_cell(cell, name, matrix, reset_camera)
         self._show(actor, shown, bar, name, pickable, reset_camera, render)
         return actor
 
@@ -286,6 +293,7 @@ class PackingComponent(MetaballsOfPlotter):
         color: ColorLike | None = None,
         show_scalar_bar: bool | None = None,
         scalar_bar_args: dict[str, Any] | None = None,
+        show_cell: bool | ColorLike = False,
         radius: RadiusLike | None = None,
         name: str | None = None,
         reset_camera: bool | None = None,
@@ -306,8 +314,8 @@ class PackingComponent(MetaballsOfPlotter):
             Samples per pixel of the finished picture.
         step : float, default: 0.1
             Seconds between two pictures while it becomes better, from 0.001 to 60.
-        scalars, rgb, cmap, clim, log_scale, color, show_scalar_bar, scalar_bar_args, name, \
-        reset_camera
+        scalars, rgb, cmap, clim, log_scale, color, show_scalar_bar, scalar_bar_args, show_cell, \
+        name, reset_camera
             As in :meth:`add`; without `scalars` and `color` the spheres are white.
         radius : str, float, array_like or mapping, optional
             Radii, as in :meth:`add`.
@@ -361,6 +369,7 @@ class PackingComponent(MetaballsOfPlotter):
             **look.kwargs(),
             show_scalar_bar=show_scalar_bar,
             scalar_bar_args=scalar_bar_args,
+            show_cell=show_cell,
             name=name,
             reset_camera=reset_camera,
             render=False,
