@@ -218,6 +218,14 @@ def test_a_range_of_colours_for_all(run, tmp_path):
     assert brightest[3] / brightest[0] == pytest.approx(0.5, abs=0.06)
 
 
+def test_colours_of_a_file_are_shown_as_they_are(tmp_path):
+    (tmp_path / "a.csv").write_text("x,y,z,radius,R,G,B\n0,0,0,1,255,0,0\n4,0,0,1,0,0,255\n")
+    assert render(tmp_path / "a.csv", "--steps", ":", "--scalars", "rgb") == 0
+    (picture,) = pictures(tmp_path, 0)
+    found = {tuple(np.sign(pixel)) for pixel in picture.reshape(-1, 3).astype(int) // 128}
+    assert {(1, 0, 0), (0, 0, 1)} <= found
+
+
 def test_radii_have_one_range_too(run, tmp_path):
     assert render(run, "--steps", "2:", style=MATT) == 0
     a, b = pictures(tmp_path, 2, 3)

@@ -1,5 +1,6 @@
 """Steps in one file or in many: ``spherepacking.steps`` and ``read(step=…, time=…)``."""
 
+import gzip
 import json
 
 import numpy as np
@@ -288,6 +289,28 @@ def test_radii_instead_of_those_of_the_file(tmp_path):
         read(path, radius={1: 0.25})
     with pytest.raises(spherepacking.PackingFileError, match=r"a\.csv: radius: found 3 values"):
         read(path, radius=[1, 2, 3])
+
+
+PDB = """MODEL        1
+ATOM      1  N   ALA A   1      12.250   7.125  -5.375  1.00  9.50           N
+ENDMDL
+MODEL        2
+ATOM      1  N   ALA A   1      13.250   7.125  -5.375  1.00  9.50           N
+ENDMDL
+"""
+
+
+def test_models_of_molecules(tmp_path):
+    pytest.importorskip("gemmi")
+    path = tmp_path / "a.pdb.gz"
+    path.write_bytes(gzip.compress(PDB.encode()))
+    steps = spherepacking.steps(path, precision="single")
+    assert (steps.times, xs(steps)) == ([1.0, 2.0], [12.25, 13.25])
+    assert steps[0].points.dtype == np.float32
+    assert steps[0]["element"].tolist() == ["N"]
+    assert spherepacking.read(path, radius={"N": 2.0})["radius"].tolist() == [2.0]
+    with pytest.raises(spherepacking.PackingFileError, match=r"a\.pdb\.gz: .*no radius for N"):
+        spherepacking.read(path, radius={"C": 2.0})
 
 
 # --- what is no packing ---------------------------------------------------------------------------
