@@ -95,11 +95,11 @@ class PackingAccessor(BoxesOfPacking, GranularOfPacking, MetaballsOfPacking):
 
         Without spheres it is that of an empty PolyData.
         """
-        if not self.n_spheres:
-            return pv.PolyData().bounds
+        packing = self.with_radius()
+        if not packing.n_points:
+            return packing.bounds
         from .backend import vtkSpherePackingInput
 
-        packing = self.with_radius()
         check_radii(packing)
         box = [0.0] * 6
         array = packing.GetPointData().GetArray("radius")

@@ -27,6 +27,26 @@ static_assert(vtkSpherePackingReader::AUTO == static_cast<int>(Format::Auto) &&
     vtkSpherePackingReader::PACKLSD == static_cast<int>(Format::PackLsd),
   "Format and FileFormats must have the same values");
 
+namespace
+{
+// Whether the names of columns may be given: not where the format says what they are.
+bool TakesColumns(Format format)
+{
+  switch (format)
+  {
+    case Format::Spheres:
+    case Format::Xyzr:
+    case Format::Yade:
+    case Format::Csv:
+    case Format::LammpsData:
+    case Format::Xyz:
+      return true;
+    default:
+      return false;
+  }
+}
+}
+
 class vtkSpherePackingReader::Internals
 {
 public:
@@ -133,6 +153,11 @@ void vtkSpherePackingReader::ReadFile(vtkInformation* outInfo, vtkPolyData* outp
   if (format == Format::Auto)
   {
     format = GuessFormat(file);
+  }
+  if (!options.Columns.empty() && !TakesColumns(format))
+  {
+    throw PackingFileError(vtkErrorCode::FileFormatError,
+      file + ": found names of columns for a format that says what its columns are, expected none");
   }
   const auto readStep = [&](const auto& read)
   {

@@ -150,7 +150,7 @@ public:
    * The names of the columns of a table in text, separated by blanks, such as "id x y z r". Then
    * neither a header nor comments decide, and every row must have as many columns. Default null or
    * empty: they are found. Also names those of LAMMPS_DATA, of the section Atoms, and of XYZ
-   * without Properties. Has no effect on other formats. Without x, y and z the update is an error.
+   * without Properties; with other formats the update is an error, and without x, y and z.
    */
   vtkSetStringMacro(Columns);
   vtkGetStringMacro(Columns);

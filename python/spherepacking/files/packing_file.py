@@ -109,14 +109,30 @@ class _PlainFile:
         try:
             with bar if self._request.progress else nullcontext():
                 packing = reader.read()
-        except PackingFileError:
+        except PackingFileError as error:
             sentence = what_else(self._path)
+            if sentence is None and self._lacks_radii_alone():
+                sentence = f"{error}; radius= gives radii (--radius)"
             if sentence is None:
                 raise
             raise PackingFileError(sentence) from None
         if self._request.radius is None:
             return packing
         return finished(packing, self._path, self._request)
+
+    def _lacks_radii_alone(self) -> bool:
+        """Whether a file that was refused is read when it need not have radii."""
+        if self._request.radius is not None:
+            return False
+        reader = self._reader
+        reader.reader.SetRadiusOptional(True)
+        try:
+            packing = reader.read()
+            return packing.n_points > 0 and "radius" not in packing.point_data
+        except PackingFileError:
+            return False
+        finally:
+            reader.reader.SetRadiusOptional(False)
 
 
 class _Molecules:
