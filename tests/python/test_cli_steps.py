@@ -4,6 +4,7 @@ import builtins
 
 import numpy as np
 import pytest
+import pyvista as pv
 import spherepacking
 from spherepacking.cli.frames import slice_of
 from spherepacking.cli.input import radius_of
@@ -224,6 +225,10 @@ def test_colours_of_a_file_are_shown_as_they_are(tmp_path):
     (picture,) = pictures(tmp_path, 0)
     found = {tuple(np.sign(pixel)) for pixel in picture.reshape(-1, 3).astype(int) // 128}
     assert {(1, 0, 0), (0, 0, 1)} <= found
+    # Colours need no scalar bar.
+    style = [argument for argument in PLAIN if argument != "--no-scalar-bar"]
+    assert render(tmp_path / "a.csv", "--steps", ":", "--scalars", "rgb", style=style) == 0
+    assert np.array_equal(pictures(tmp_path, 0)[0], picture)
 
 
 def test_radii_have_one_range_too(run, tmp_path):
@@ -238,11 +243,7 @@ def test_radii_have_one_range_too(run, tmp_path):
 
 def test_steps_without_spheres(tmp_path):
     """Runs that pour begin with none."""
-    run = tmp_path / "pour.dump"
-    run.write_text(text_of(0, (1, 0, 0, 0, 0, 0, 0, 5, 1)))
     for i, name in enumerate(("s_0.vtp", "s_1.vtp")):
-        import pyvista as pv
-
         mesh = pv.PolyData(np.zeros((i, 3)))
         if i:
             mesh["radius"], mesh["heat"] = [1.0], [2.0]
@@ -253,6 +254,14 @@ def test_steps_without_spheres(tmp_path):
     nothing, one = pictures(tmp_path, 0, 1)
     assert nothing.max() == 0
     assert one.max() > 0
+
+
+def test_metaballs_of_no_spheres(tmp_path):
+    run = tmp_path / "pour.dump"
+    run.write_text(text_of(0) + text_of(10, (1, 0, 0, 0, 0, 0, 0, 5, 1)))
+    assert render(run, "--steps", ":", "--technique", "metaballs", "--dimensions", "16") == 0
+    nothing, one = pictures(tmp_path, 0, 1)
+    assert (nothing.max() == 0, one.max() > 0) == (True, True)
 
 
 @pytest.mark.parametrize("technique", ["raycast", "metaballs", "bvh"])
