@@ -18,9 +18,10 @@ if TYPE_CHECKING:
 def write(packing: pv.PolyData, path: str | os.PathLike[str]) -> None:
     """Write a packing in the format of the extension of `path`.
 
-    ``.spheres`` and ``.xyzr`` are text, ``.xyzd`` is binary, ``.txt`` is YADE's text, and ``.csv``
-    also holds the other point arrays. A ``.spheres`` file has the largest sphere first. Numbers
-    read back exactly. ``packing.save(path)`` does the same, except for ``.txt``.
+    ``.spheres`` and ``.xyzr`` are text, ``.xyzd`` is binary, ``.txt`` is YADE's text. ``.csv``, a
+    LAMMPS ``.dump`` and extended ``.xyz`` also hold the other point arrays, the latter two the cell
+    and the time, too. A ``.spheres`` file has the largest sphere first. Numbers read back exactly.
+    ``packing.save(path)`` does the same, except for ``.txt``.
 
     Parameters
     ----------
