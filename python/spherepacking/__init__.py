@@ -4,7 +4,7 @@ A packing is a :class:`pyvista.PolyData`: its points are the centres of the sphe
 ``radius`` holds their radii. PyVista finds this package by itself, it need not be imported for:
 
 - ``pyvista.read(path)`` and ``packing.save(path)``: files of packings
-- ``dataset.packing``: the accessor, with ``ray_cast``, ``path_trace``, ``pick``, ``metaballs``,
+- ``packing.packing``: the accessor, with ``ray_cast``, ``path_trace``, ``pick``, ``metaballs``,
   ``metaball_field``, ``bvh_boxes``, ``grid_boxes``, ``contacts``, ``wrap``, ``replicate``,
   ``ghosts``, ``bounds``, ``plot``; see PackingAccessor
 - ``plotter.packing``: the component, with ``add``, ``add_contacts``, ``add_metaballs``,

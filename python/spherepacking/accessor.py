@@ -151,7 +151,7 @@ class PackingAccessor(BoxesOfPacking, GranularOfPacking, MetaballsOfPacking):
         """Write the packing, see :func:`spherepacking.write`."""
         from .files.writers import write
 
-        write(self.with_radius(radius), path)
+        write(self._dataset, path, radius=radius)
 
     def ray_cast(
         self,

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pyvista as pv
 
+from .checks import kind_of
 from .packing import check_radii, no_such_array
 from .radii import given_radii, radii_from, radius_name_in
 
@@ -66,8 +67,8 @@ def wrap(dataset: object) -> Any:
     wrapped = pv.wrap(dataset) if hasattr(dataset, "IsA") else dataset
     if not isinstance(wrapped, (pv.DataSet, pv.MultiBlock, pv.PartitionedDataSet)):
         raise TypeError(
-            f"packing: found a {type(dataset).__name__}, expected a PolyData or another dataset "
-            "whose points are the centres of the spheres"
+            f"packing: found {kind_of(dataset)}, expected a PolyData or another dataset whose "
+            "points are the centres of the spheres"
         )
     return wrapped
 

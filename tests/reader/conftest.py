@@ -10,7 +10,7 @@ from spherepacking.vtkSpherePackingCore import (
 )
 
 
-def make_reader(path, *, single=False, chunk=None, fmt=None):
+def make_reader(path, *, single=False, chunk=None, fmt=None, columns=None, optional=False):
     reader = vtkSpherePackingReader()
     reader.SetFileName(str(path))
     if single:
@@ -19,6 +19,8 @@ def make_reader(path, *, single=False, chunk=None, fmt=None):
         reader.SetChunkSize(chunk)
     if fmt is not None:
         reader.SetFormat(getattr(vtkSpherePackingReader, fmt))
+    reader.SetColumns(columns)
+    reader.SetRadiusOptional(optional)
     return reader
 
 

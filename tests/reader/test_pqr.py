@@ -2,6 +2,8 @@
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 # Lines of PDB2PQR, Open Babel, GROMACS, ProDy and fpocket, as far as their forms differ.
 ALANINE = "ATOM      1  N   ALA A   1      -0.750  -1.125  -0.375  0.1414 1.8240\n"
@@ -189,15 +191,22 @@ BAD = {
         "ATOM      2  N   ALA A   1      -0.750  -1.125  -0.375  0.1414\n",
         2,
         "10 columns",
-        "10 or more",
+        "10 to 13",
     ),
     "cut after z": (ALANINE[:54], 2, "9 columns", "x y z charge radius"),
     "touching, not in columns": (
         "ATOM 2 O HOH 1236 1234.5672200.5003103.250 -0.8340 1.6612\n",
         2,
         "8 columns",
-        "10 or more",
+        "10 to 13",
     ),
+    "a number too many": (
+        "ATOM 2 N GLY 1 1.5 2.5 3.5 0.16 1.7 9\n",
+        2,
+        "11 columns",
+        "10 to 13 that end with x y z charge radius",
+    ),
+    "numbers too many": ("ATOM 2 N GLY A 1 1 2 3 0.1 1.5 7 8 9\n", 2, "14 columns", "10 to 13"),
     "not finite": ("ATOM 2 N GLY A 1 1 2 inf 0.1 1.5\n", 2, "'inf' as z", "a finite number"),
     "no charge": ("ATOM 2 N GLY A 1 1 2 3 none 1.5\n", 2, "'none' as charge", "a number"),
     "negative": ("ATOM 2 N GLY A 1 1 2 3 0.1 -1.5\n", 2, "'-1.5' as radius", "not negative"),
@@ -206,7 +215,7 @@ BAD = {
         "MODEL 1\nENDMDL\nMODEL 2\nATOM 1 N\n",
         5,
         "3 columns 'ATOM 1 N'",
-        "10 or more",
+        "10 to 13",
     ),
 }
 
@@ -222,3 +231,56 @@ def test_bad_records(read_error, tmp_path, name):
     assert message.startswith(f"{path}, line {line}: found ")
     before, _, after = message.partition(", expected ")
     assert found in before and expected in after
+
+
+# --- Atoms in every form that programs write ------------------------------------------------------
+
+NAMES = st.from_regex(r"[A-Z][A-Z0-9]{0,3}", fullmatch=True)
+ATOMS = st.fixed_dictionaries(
+    {
+        "serial": st.integers(1, 99999),
+        "record": st.sampled_from(["ATOM", "HETATM"]),
+        "name": NAMES,
+        "residue": st.from_regex(r"[A-Z0-9][A-Z0-9]{2}", fullmatch=True),
+        "chain": st.sampled_from("AZa"),
+        "number": st.integers(-999, 9999),
+        "center": st.tuples(*[st.integers(-999_999, 9_999_999)] * 3),  # in thousandths
+        "charge": st.integers(-99_999, 99_999),  # in ten thousandths
+        "radius": st.integers(0, 99_999),
+        "element": st.sampled_from(["N", "Fe"]),
+    }
+)
+
+
+def columns_of(atom, *, element):
+    """The record in the columns of a PDB file, as PDB2PQR and Open Babel write it."""
+    numbers = "".join(f"{v / 1000:8.3f}" for v in atom["center"])
+    tail = f" {atom['charge'] / 10000:8.4f} {atom['radius'] / 10000:7.4f}"
+    return (
+        f"{atom['record']:6}{atom['serial']:5} {atom['name']:4} {atom['residue']} {atom['chain']}"
+        f"{atom['number']:4}    {numbers}{tail}" + f"          {atom['element']:>2}" * element
+    )
+
+
+def blanks_of(atom, *, element):
+    """The record with a blank between any two fields."""
+    numbers = [f"{v / 1000}" for v in atom["center"]]
+    fields = [atom[key] for key in ("record", "serial", "name", "residue", "chain", "number")]
+    fields += [*numbers, f"{atom['charge'] / 10000}", f"{atom['radius'] / 10000}"]
+    return " ".join(map(str, fields)) + f" {atom['element']}" * element
+
+
+@pytest.mark.parametrize("form", [columns_of, blanks_of])
+@pytest.mark.parametrize("element", [True, False])
+@settings(max_examples=40, deadline=None)
+@given(atoms=st.lists(ATOMS, min_size=1, max_size=40))
+def test_any_atom(read_text, form, element, atoms):
+    packing = read_text("\n".join(form(atom, element=element) for atom in atoms), "p.pqr")
+    # The quotients of integers are the numbers that the text holds, rounded to the nearest.
+    spheres = [(*(v / 1000 for v in a["center"]), a["radius"] / 10000) for a in atoms]
+    check(packing, spheres, [a["charge"] / 10000 for a in atoms])
+    assert texts(packing, "name") == [a["name"] for a in atoms]
+    assert texts(packing, "residue") == [a["residue"] for a in atoms]
+    assert texts(packing, "chain") == [a["chain"] for a in atoms]
+    assert packing["residue_id"].tolist() == [a["number"] for a in atoms]
+    assert not element or texts(packing, "element") == [a["element"] for a in atoms]

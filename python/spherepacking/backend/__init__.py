@@ -63,6 +63,7 @@ if TYPE_CHECKING:
     from vtkmodules.vtkCommonCore import reference, vtkDataArray
     from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData
     from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
+    from vtkmodules.vtkDomainsChemistry import vtkPeriodicTable
     from vtkmodules.vtkFiltersCore import vtkFlyingEdges3D
     from vtkmodules.vtkRenderingCore import (
         vtkCamera,
@@ -113,6 +114,7 @@ else:
     vtkStreamingDemandDrivenPipeline = importlib.import_module(
         f"{VTK_ROOT}.vtkCommonExecutionModel"
     ).vtkStreamingDemandDrivenPipeline
+    vtkPeriodicTable = importlib.import_module(f"{VTK_ROOT}.vtkDomainsChemistry").vtkPeriodicTable
     vtkFlyingEdges3D = importlib.import_module(f"{VTK_ROOT}.vtkFiltersCore").vtkFlyingEdges3D
     _rendering_core = importlib.import_module(f"{VTK_ROOT}.vtkRenderingCore")
     vtkCamera = _rendering_core.vtkCamera

@@ -5,18 +5,19 @@ from __future__ import annotations
 import bz2
 import lzma
 import shutil
+import sys
 import tempfile
 import weakref
 import zlib
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING
 
 from .errors import PackingFileError
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
-    from typing import BinaryIO
+    from typing import Any, BinaryIO
 
 # What each format begins with, and the extension that goes away.
 _FORMATS = {
@@ -33,17 +34,6 @@ _LARGEST_DICTIONARY = 512 << 20
 _XYZD_ROW = 32
 # Bytes that zstandard is given at a time, since it returns up to 32768 times as many.
 _ZSTANDARD_INPUT = 2048
-
-
-class _Decompressor(Protocol):
-    """What those of the standard library have in common."""
-
-    eof: bool
-    needs_input: bool
-    unused_data: bytes
-
-    def decompress(self, data: bytes, max_length: int = -1, /) -> bytes:
-        """Return bytes that `data` and what was given before hold."""
 
 
 def compression_of(path: Path) -> str | None:
@@ -95,6 +85,8 @@ class Uncompressed:
     ----------
     path : pathlib.Path
         The uncompressed file.
+    remove : weakref.finalize
+        Call it to remove the file before the object goes away.
 
     Raises
     ------
@@ -108,7 +100,7 @@ class Uncompressed:
         pieces = _PIECES[compression]
         folder = tempfile.mkdtemp(prefix="spherepacking-")
         # Also at the end of the process.
-        self._remove = weakref.finalize(self, shutil.rmtree, folder, ignore_errors=True)
+        self.remove = weakref.finalize(self, shutil.rmtree, folder, ignore_errors=True)
         self._source = path
         self.path = Path(folder) / inner_name(path)
         try:
@@ -119,7 +111,7 @@ class Uncompressed:
             if self.path.suffix.lower() == ".xyzd" and beside.is_file():
                 shutil.copy(beside, folder)
         except BaseException:
-            self._remove()
+            self.remove()
             raise
 
     @contextmanager
@@ -158,7 +150,7 @@ def _copy(path: Path, compression: str, pieces: Iterator[bytes], target: BinaryI
         ) from None
 
 
-def _pieces_by(make: Callable[[], _Decompressor]) -> Callable[[Path, BinaryIO], Iterator[bytes]]:
+def _pieces_by(make: Callable[[], Any]) -> Callable[[Path, BinaryIO], Iterator[bytes]]:
     """Make a function that uncompresses one stream after the other in a file."""
 
     def pieces(_: Path, source: BinaryIO) -> Iterator[bytes]:
@@ -187,11 +179,9 @@ def _gzip_pieces(_: Path, source: BinaryIO) -> Iterator[bytes]:
 
 
 def _zstandard_pieces(path: Path, source: BinaryIO) -> Iterator[bytes]:
-    try:
-        from compression import zstd  # of Python 3.14 on
-    except ImportError:
-        zstd = None
-    if zstd is not None:
+    if sys.version_info >= (3, 14):
+        from compression import zstd
+
         yield from _pieces_by(zstd.ZstdDecompressor)(path, source)
         return
     try:

@@ -70,7 +70,7 @@ def open_file(path: Path, request: Request) -> PackingSource:
     compression = compression_of(path)
     if compression is None:
         return _open(path, path, request)
-    return _CompressedFile(path, compression, request)
+    return CompressedFile(path, compression, request)
 
 
 def has_one_step(path: Path) -> bool:
@@ -127,8 +127,18 @@ class _PlainFile:
         return finished(packing, self._path, self._request)
 
 
-class _CompressedFile:
-    """A file in a temporary folder, which goes away with this object."""
+class CompressedFile:
+    """A file in a temporary folder, which goes away with this object.
+
+    Parameters
+    ----------
+    path : pathlib.Path
+        Compressed file.
+    compression : str
+        What it is compressed by.
+    request : Request
+        How to read it.
+    """
 
     def __init__(self, path: Path, compression: str, request: Request) -> None:
         self._path = path
@@ -137,11 +147,19 @@ class _CompressedFile:
                 f"{path}: found a compressed file that names others, expected it uncompressed"
             )
         self._file = Uncompressed(path, compression)
-        with self._file.named():
-            self._source = _open(self._file.path, path, request)
-        self.times = self._source.times
+        try:
+            with self._file.named():
+                self._source = _open(self._file.path, path, request)
+            self.times = self._source.times
+        except BaseException:
+            self.close()
+            raise
 
     def read(self, index: int) -> pv.PolyData:
         """Read the packing of a step."""
         with self._file.named():
             return self._source.read(index)
+
+    def close(self) -> None:
+        """Remove the temporary file."""
+        self._file.remove()

@@ -70,8 +70,8 @@ def entries_of(path: str | os.PathLike[str] | Sequence[str | os.PathLike[str]]) 
         if single.suffix.lower() == ".pvd":
             return [Entry(files, time) for time, files in parts_by_time(single)]
         return [Entry([single])]
-    files = _fitting(str(single))
-    return [Entry([single])] if files is None else _numbered(files)
+    fitting = _fitting(str(single))
+    return [Entry([single])] if fitting is None else _numbered(fitting)
 
 
 def _fitting(pattern: str) -> list[Path] | None:

@@ -12,7 +12,7 @@ import pyvista as pv
 
 from ..datasets import centres_of
 from .errors import PackingFileError
-from .packing_file import has_one_step, open_file
+from .packing_file import CompressedFile, has_one_step, open_file
 from .series import entries_of
 from .source import Request
 
@@ -92,7 +92,10 @@ def read(
     >>> atoms = spherepacking.read("run.xyz", radius={"C": 1.7, "H": 1.1})  # doctest: +SKIP
     """
     found = steps(path, radius=radius, columns=columns, precision=precision, progress=progress)
-    return found[found.index_of(step, time)]
+    try:
+        return found[found.index_of(step, time)]
+    finally:
+        found.close()
 
 
 def steps(
@@ -186,6 +189,11 @@ class PackingSteps(Sequence[pv.PolyData]):
     def __repr__(self) -> str:
         return f"<{len(self)} steps of {self._name}>"
 
+    def close(self) -> None:
+        """Remove temporary files; they go away with the last sequence of these steps, too."""
+        if isinstance(self._source, (CompressedFile, _Series)):
+            self._source.close()
+
     def index_of(self, step: int | None = None, time: float | None = None) -> int:
         """Find the index of a step.
 
@@ -277,9 +285,15 @@ class _Series:
 
     def _open(self, file: Path) -> PackingSource:
         if self._opened is None or self._opened[0] != file:
-            self._opened = None
+            self.close()
             self._opened = file, open_file(file, self._request)
         return self._opened[1]
+
+    def close(self) -> None:
+        """Close the file that is open."""
+        opened, self._opened = self._opened, None
+        if opened is not None and isinstance(opened[1], CompressedFile):
+            opened[1].close()
 
     def read(self, index: int) -> pv.PolyData:
         """Read the packing of a step."""

@@ -47,7 +47,7 @@ class VtkFile:
         self._path = path
         self._request = request
         check_counts(path)
-        with _errors_of_vtk(path):
+        with errors_of_vtk(f"{path}: found no dataset that VTK can read"):
             self._reader: Any = pv.get_reader(path)
             algorithm = self._reader.reader
             algorithm.UpdateInformation()
@@ -57,7 +57,7 @@ class VtkFile:
     def read(self, index: int) -> pv.PolyData:
         """Read the packing of a step."""
         algorithm = self._reader.reader
-        with _errors_of_vtk(self._path):
+        with errors_of_vtk(f"{self._path}: found no dataset that VTK can read"):
             if self.times:
                 algorithm.UpdateTimeStep(self.times[index])
             else:
@@ -83,8 +83,19 @@ class VtkFile:
 
 
 @contextmanager
-def _errors_of_vtk(path: Path) -> Iterator[None]:
-    """Raise what VTK's readers report as one PackingFileError, instead of printing it."""
+def errors_of_vtk(what: str) -> Iterator[None]:
+    """Raise what VTK reports in the block as one PackingFileError, instead of printing it.
+
+    Parameters
+    ----------
+    what : str
+        What is wrong then, before a colon and the first message of VTK.
+
+    Raises
+    ------
+    PackingFileError
+        If VTK reports an error, or whatever else is raised in the block.
+    """
     failure: Exception | None = None
     logging.disable(logging.CRITICAL)
     try:
@@ -104,7 +115,7 @@ def _errors_of_vtk(path: Path) -> Iterator[None]:
     if failure is not None or said:
         # What comes first is the cause.
         text = " ".join((said[0] if said else str(failure)).split())
-        raise PackingFileError(f"{path}: found no dataset that VTK can read: {text}") from None
+        raise PackingFileError(f"{what}: {text}") from None
 
 
 # --- collections ----------------------------------------------------------------------------------

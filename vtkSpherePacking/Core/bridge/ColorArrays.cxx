@@ -34,6 +34,29 @@ vtkDoubleArray* Find(vtkPointData* data, const char* letter, const char* word)
   return nullptr;
 }
 
+enum class Range
+{
+  Fractions,
+  Bytes,
+  Other
+};
+
+Range RangeOf(const std::vector<vtkDoubleArray*>& parts)
+{
+  bool bytes = true;
+  bool fractions = true;
+  for (vtkDoubleArray* const part : parts)
+  {
+    const double* const values = part->GetPointer(0);
+    for (vtkIdType i = 0; i < part->GetNumberOfTuples(); ++i)
+    {
+      bytes &= values[i] >= 0 && values[i] <= 255 && values[i] == std::floor(values[i]);
+      fractions &= values[i] >= 0 && values[i] <= 1;
+    }
+  }
+  return fractions ? Range::Fractions : bytes ? Range::Bytes : Range::Other;
+}
+
 template <typename ArrayT>
 void AddAs(vtkPointData* data, const std::vector<vtkDoubleArray*>& parts)
 {
@@ -62,26 +85,17 @@ void AddColors(vtkPointData* data)
   {
     return;
   }
-  if (vtkDoubleArray* const alpha = Find(data, "a", "alpha"))
+  const Range range = RangeOf(parts);
+  vtkDoubleArray* const alpha = Find(data, "a", "alpha");
+  if (alpha && RangeOf({ alpha }) == range)
   {
     parts.push_back(alpha);
   }
-  bool bytes = true;
-  bool fractions = true;
-  for (vtkDoubleArray* const part : parts)
-  {
-    const double* const values = part->GetPointer(0);
-    for (vtkIdType i = 0; i < part->GetNumberOfTuples(); ++i)
-    {
-      bytes &= values[i] >= 0 && values[i] <= 255 && values[i] == std::floor(values[i]);
-      fractions &= values[i] >= 0 && values[i] <= 1;
-    }
-  }
-  if (fractions)
+  if (range == Range::Fractions)
   {
     AddAs<vtkFloatArray>(data, parts);
   }
-  else if (bytes)
+  else if (range == Range::Bytes)
   {
     AddAs<vtkUnsignedCharArray>(data, parts);
   }

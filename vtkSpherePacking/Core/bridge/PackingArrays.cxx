@@ -4,6 +4,7 @@
 #include "base/HugePages.h"
 #include "bridge/ColorArrays.h"
 #include "bridge/FieldData.h"
+#include "bridge/NewArrays.h"
 #include "bridge/VectorArrays.h"
 
 #include "vtkCellArray.h"
@@ -60,16 +61,6 @@ void SetVertices(vtkCellArray* vertices, vtkIdType count)
   vertices->SetData(1, indices);
 }
 
-// Adds an array whose name no other has. VTK compares the name with all others, which would take a
-// time that is quadratic in the number of arrays, unless there is none yet.
-void AddUnlookedFor(vtkPointData* data, vtkAbstractArray* array)
-{
-  const std::string name = array->GetName();
-  array->SetName(nullptr);
-  data->AddArray(array);
-  array->SetName(name.c_str());
-}
-
 void AddCell(vtkFieldData* data, const SimulationCell& cell)
 {
   vtkNew<vtkDoubleArray> vectors;
@@ -111,7 +102,7 @@ double* PackingArrays::AddExtra(const std::string& name)
 const double* PackingArrays::FindExtra(const std::string& name) const
 {
   const auto found = std::find_if(this->Extras.begin(), this->Extras.end(),
-    [&name](vtkDataArray* array) { return array->GetName() == name; });
+    [&name](vtkAbstractArray* array) { return array->GetName() == name; });
   vtkDoubleArray* const array =
     found == this->Extras.end() ? nullptr : vtkDoubleArray::FastDownCast(*found);
   return array ? array->GetPointer(0) : nullptr;
@@ -123,16 +114,16 @@ std::string* PackingArrays::AddText(const std::string& name)
   const auto array = vtkSmartPointer<vtkStringArray>::New();
   array->SetName(name.c_str());
   array->SetNumberOfValues(this->Count);
-  this->Texts.push_back(array);
+  this->Extras.push_back(array);
   return array->GetPointer(0);
 }
 
 //------------------------------------------------------------------------------
 void PackingArrays::RemoveText(const std::string* values)
 {
-  const auto found = std::find_if(this->Texts.begin(), this->Texts.end(),
-    [values](vtkStringArray* array) { return array->GetPointer(0) == values; });
-  this->Texts.erase(found);
+  const auto found = std::find_if(this->Extras.begin(), this->Extras.end(),
+    [values](vtkAbstractArray* array) { return array->GetVoidPointer(0) == values; });
+  this->Extras.erase(found);
 }
 
 //------------------------------------------------------------------------------
@@ -157,15 +148,7 @@ void PackingArrays::MoveTo(vtkPolyData* output)
 
   vtkPointData* data = output->GetPointData();
   data->SetScalars(this->RadiusArray);
-  data->AllocateArrays(static_cast<int>(1 + this->Extras.size() + this->Texts.size()));
-  for (const auto& extra : this->Extras)
-  {
-    AddUnlookedFor(data, extra);
-  }
-  for (const auto& text : this->Texts)
-  {
-    AddUnlookedFor(data, text);
-  }
+  AddNewArrays(data, this->Extras);
   AddVectors(data);
   AddColors(data);
   if (this->Cell)

@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
+class vtkAbstractArray;
 class vtkDataArray;
 class vtkPolyData;
-class vtkStringArray;
 
 namespace spherepacking
 {
@@ -90,8 +90,7 @@ private:
   bool Single;
   vtkSmartPointer<vtkDataArray> CenterArray;
   vtkSmartPointer<vtkDataArray> RadiusArray; // null without radii
-  std::vector<vtkSmartPointer<vtkDataArray>> Extras;
-  std::vector<vtkSmartPointer<vtkStringArray>> Texts;
+  std::vector<vtkSmartPointer<vtkAbstractArray>> Extras;
   std::optional<SimulationCell> Cell;
   std::optional<double> Time;
   std::vector<std::pair<std::string, double>> Fields;

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bridge/VectorArrays.h"
 
+#include "bridge/NewArrays.h"
+
 #include "vtkDoubleArray.h"
-#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkSMPTools.h"
+#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <array>
@@ -76,7 +78,8 @@ bool AreParts(const std::array<vtkDoubleArray*, 3>& parts, vtkDataArray* vectors
 // Arrays by name. VTK would compare with every name.
 using ArraysByName = std::unordered_map<std::string, vtkAbstractArray*>;
 
-void AddVector(vtkPointData* data, ArraysByName& arrays, const Vector& vector)
+// The array of a vector, or null if a component is missing or the name is taken.
+vtkSmartPointer<vtkDoubleArray> JoinComponents(const ArraysByName& arrays, const Vector& vector)
 {
   std::array<const double*, 3> from;
   vtkIdType count = 0;
@@ -87,16 +90,16 @@ void AddVector(vtkPointData* data, ArraysByName& arrays, const Vector& vector)
       found == arrays.end() ? nullptr : vtkDoubleArray::FastDownCast(found->second);
     if (!part || part->GetNumberOfComponents() != 1)
     {
-      return;
+      return nullptr;
     }
     from[i] = part->GetPointer(0);
     count = part->GetNumberOfTuples();
   }
   if (arrays.count(vector.Name) > 0)
   {
-    return;
+    return nullptr;
   }
-  vtkNew<vtkDoubleArray> array;
+  const auto array = vtkSmartPointer<vtkDoubleArray>::New();
   array->SetName(vector.Name.c_str());
   array->SetNumberOfComponents(3);
   array->SetNumberOfTuples(count);
@@ -112,8 +115,7 @@ void AddVector(vtkPointData* data, ArraysByName& arrays, const Vector& vector)
         }
       }
     });
-  data->AddArray(array);
-  arrays.emplace(vector.Name, array);
+  return array;
 }
 }
 
@@ -177,9 +179,15 @@ void AddVectors(vtkPointData* data)
       vectors.push_back(vector);
     }
   }
+  std::vector<vtkSmartPointer<vtkAbstractArray>> found;
   for (const Vector& vector : vectors)
   {
-    AddVector(data, arrays, vector);
+    if (const auto joined = JoinComponents(arrays, vector))
+    {
+      arrays.emplace(vector.Name, joined);
+      found.push_back(joined);
+    }
   }
+  AddNewArrays(data, found);
 }
 }

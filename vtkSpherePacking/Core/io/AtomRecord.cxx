@@ -206,13 +206,18 @@ AtomFault SplitAtomRecord(std::string_view line, AtomRecord& record)
   // is missing, and that of the residue would pass as x.
   if (leading.Count < 3 || (leading.Count == 3 && !HasDigit(leading.Last)))
   {
-    return AtomFault::TooFewFields;
+    return AtomFault::WrongFields;
+  }
+  // Nor is it a number with decimals: else one is too many, and the last five are others.
+  if (!NameByFields(leading, record) &&
+    (leading.Count > leading.Fields.size() || leading.Last.find('.') != leading.Last.npos))
+  {
+    return AtomFault::WrongFields;
   }
   if (inColumns && record.Numbers[AtomRecord::X].data() != PdbColumns(line, 31, 38).data())
   {
     return AtomFault::TwoReadings;
   }
-  NameByFields(leading, record);
   return AtomFault::None;
 }
 
@@ -228,6 +233,10 @@ bool LooksLikeDamagedAtom(std::string_view line)
     "TURN", "TVECT", "USER" };
   const char* const begin = line.data();
   const char* const end = begin + line.size();
+  if (SkipBlanks(begin, end) == end)
+  {
+    return false;
+  }
   if (std::any_of(std::begin(others), std::end(others),
         [&](const char* record) { return BeginsWithRecord(begin, end, record); }))
   {

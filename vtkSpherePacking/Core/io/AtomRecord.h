@@ -32,7 +32,7 @@ struct AtomRecord
 enum class AtomFault
 {
   None,
-  TooFewFields,
+  WrongFields,
   TwoReadings ///< blanks between the fields say other coordinates than the columns 31 to 54
 };
 

@@ -18,11 +18,18 @@ struct DumpHeader
   std::optional<SimulationCell> Cell;
   vtkIdType Count = -1;
   vtkIdType CountLine = 0;
-  TextRange Atoms{ nullptr, nullptr, 0 }; ///< the lines of the atoms
+  TextRange Atoms{ nullptr, nullptr, 0 }; ///< what follows
 };
 
-/// Reads the header of the step that `text` holds.
+/// Whether `text`, which begins with a step, has the whole header of it.
+bool HasDumpHeader(const TextRange& text);
+
+/// Reads the header of the step that begins `text`.
 DumpHeader ReadDumpHeader(const TextRange& text, Radii radii);
+
+/// The end of the atoms with which `text` begins: the next title, which need not be that of the
+/// next step, or what was written of one when the run was stopped.
+const char* EndOfAtoms(const TextRange& text);
 }
 
 #endif

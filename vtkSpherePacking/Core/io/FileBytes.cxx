@@ -125,6 +125,14 @@ FileBytes FileBytes::ReadHead(const std::string& path, unsigned long long length
 }
 
 //------------------------------------------------------------------------------
+FileBytes FileBytes::Copy(std::string_view text)
+{
+  FileBytes bytes(text.size());
+  std::copy(text.begin(), text.end(), bytes.Bytes.get());
+  return bytes;
+}
+
+//------------------------------------------------------------------------------
 FileRanges::FileRanges(const std::string& path)
   : Path(path)
   , Stream(path.c_str(), std::ios::in | std::ios::binary)

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <memory>
 #include <string>
+#include <string_view>
 
 namespace spherepacking
 {
@@ -31,6 +32,9 @@ public:
 
   /// Reads the first `length` bytes of `path`, or all if there are fewer.
   static FileBytes ReadHead(const std::string& path, unsigned long long length);
+
+  /// `text`, as if it were that of a file.
+  static FileBytes Copy(std::string_view text);
 
   const char* Begin() const { return this->Bytes.get(); }
 

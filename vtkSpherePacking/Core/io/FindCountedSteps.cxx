@@ -27,17 +27,19 @@ struct StepHead
 };
 
 // Finds the steps of a file in which each begins with its number of rows. `readHead` reads the
-// lines before the rows; what it throws names the first line of a step.
+// lines before the rows.
 template <typename ReadHead>
 std::vector<TimeStep> FindCountedSteps(const std::string& file, const ReadHead& readHead)
 {
   FileLines lines(file);
   const unsigned long long size = FileBytes::Size(file);
   std::vector<TimeStep> steps;
+  std::optional<vtkIdType> previous; // first line of the step before
   while (!lines.AtEnd())
   {
-    TimeStep step{ std::nullopt, lines.Position(), size, lines.Number() };
-    const StepHead head = readHead(lines, steps);
+    TimeStep step{ std::nullopt, lines.Position(), size };
+    const vtkIdType line = lines.Number();
+    const StepHead head = readHead(lines, previous);
     if (!head.IsWhole)
     {
       break;
@@ -49,16 +51,15 @@ std::vector<TimeStep> FindCountedSteps(const std::string& file, const ReadHead& 
       step.End = lines.Position();
     }
     steps.push_back(step);
+    previous = line;
   }
   return steps;
 }
 
 // An addition to an error after the first step: a wrong count before it is as likely.
-std::string AfterRows(const std::vector<TimeStep>& steps)
+std::string AfterRows(const std::optional<vtkIdType>& previous)
 {
-  return steps.empty()
-    ? ""
-    : " after as many rows as line " + std::to_string(steps.back().FirstLine) + " says";
+  return !previous ? "" : " after as many rows as line " + std::to_string(*previous) + " says";
 }
 
 // The first line of a step, which blank lines may precede; blank at the end of the file.
@@ -72,12 +73,12 @@ std::string FirstLine(FileLines& lines)
   return line;
 }
 
-StepHead ReadXyzHead(FileLines& lines, const std::vector<TimeStep>& steps)
+StepHead ReadXyzHead(FileLines& lines, const std::optional<vtkIdType>& previous)
 {
   const std::string first = FirstLine(lines);
   const vtkIdType number = lines.Number() - 1;
   // The run was stopped here.
-  if (lines.AtEnd() && !steps.empty() && (IsBlankLine(first) || XyzCount(first)))
+  if (lines.AtEnd() && previous && (IsBlankLine(first) || XyzCount(first)))
   {
     return { false, 0, {} };
   }
@@ -86,7 +87,7 @@ StepHead ReadXyzHead(FileLines& lines, const std::vector<TimeStep>& steps)
   {
     throw LineError(number,
       "found " + Quote(first.data(), first.data() + first.size()) +
-        ", expected the number of atoms" + AfterRows(steps));
+        ", expected the number of atoms" + AfterRows(previous));
   }
   if (lines.AtEnd())
   {
@@ -96,11 +97,11 @@ StepHead ReadXyzHead(FileLines& lines, const std::vector<TimeStep>& steps)
   return { true, *count, XyzComment(lines.Read()).Time() };
 }
 
-StepHead ReadMercuryHead(FileLines& lines, const std::vector<TimeStep>& steps)
+StepHead ReadMercuryHead(FileLines& lines, const std::optional<vtkIdType>& previous)
 {
   const std::string first = FirstLine(lines);
   // The run was stopped here.
-  if (lines.AtEnd() && !steps.empty() && (IsBlankLine(first) || lines.EndedWithFile()))
+  if (lines.AtEnd() && previous && (IsBlankLine(first) || lines.EndedWithFile()))
   {
     return { false, 0, {} };
   }
@@ -109,7 +110,7 @@ StepHead ReadMercuryHead(FileLines& lines, const std::vector<TimeStep>& steps)
   {
     throw LineError(lines.Number() - 1,
       "found " + Quote(first.data(), first.data() + first.size()) + ", expected " +
-        MercuryHeader::Expected + AfterRows(steps));
+        MercuryHeader::Expected + AfterRows(previous));
   }
   return { true, header->Count, header->Time };
 }

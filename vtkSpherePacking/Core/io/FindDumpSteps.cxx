@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bridge/SmpParallelFor.h"
 #include "io/FileBytes.h"
+#include "io/LineBlocks.h"
 #include "io/Number.h"
 #include "io/PackingFileError.h"
 #include "io/Separators.h"
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <string_view>
 
 namespace spherepacking
@@ -18,8 +18,7 @@ namespace spherepacking
 namespace
 {
 constexpr std::string_view Title = "ITEM: TIMESTEP";
-// Small enough for a processor's cache, from which a block is searched twice, for titles and for
-// line ends.
+// Small enough for a processor's cache, from which a block is searched.
 constexpr std::size_t BlockSize = 1 << 18;
 // By which blocks overlap, so that no title or number is cut in two.
 constexpr std::size_t Overlap = 256;
@@ -28,45 +27,10 @@ constexpr std::size_t Overlap = 256;
 struct FoundTitle
 {
   unsigned long long At;
-  vtkIdType LinesBefore; // in the block
   std::optional<double> Time;
   bool IsCut;        // the file ends before the line of the number does
   std::string Found; // instead of the number
 };
-
-struct ScannedBlock
-{
-  vtkIdType LineEnds = 0;
-  std::vector<FoundTitle> Titles;
-};
-
-// Line feeds, and carriage returns that none follows. `*end` must be readable. Without carriage
-// returns, which memchr() sees fast, compilers vectorise the loop.
-vtkIdType CountEnds(const char* begin, const char* end)
-{
-  if (std::memchr(begin, '\r', end - begin))
-  {
-    vtkIdType count = 0;
-    for (const char* p = begin; p != end; ++p)
-    {
-      count += *p == '\n' || (*p == '\r' && p[1] != '\n');
-    }
-    return count;
-  }
-  constexpr std::ptrdiff_t some = 128; // so that a byte can count them
-  vtkIdType count = 0;
-  for (const char* p = begin; p < end; p += some)
-  {
-    const std::ptrdiff_t length = std::min(some, end - p);
-    unsigned char ends = 0;
-    for (std::ptrdiff_t i = 0; i < length; ++i)
-    {
-      ends = static_cast<unsigned char>(ends + (p[i] == '\n'));
-    }
-    count += ends;
-  }
-  return count;
-}
 
 // Reads the number in the line after the title at `p`.
 void ReadTime(const char* p, const char* end, bool isFileEnd, FoundTitle& title)
@@ -89,11 +53,10 @@ void ReadTime(const char* p, const char* end, bool isFileEnd, FoundTitle& title)
 
 // Scans the block [begin, last) at `offset`; the text goes on to `end`, and begin[-1] is the byte
 // before it.
-ScannedBlock ScanBlock(
+std::vector<FoundTitle> ScanBlock(
   const char* begin, const char* last, const char* end, unsigned long long offset, bool isFileEnd)
 {
-  ScannedBlock block;
-  const char* counted = begin;
+  std::vector<FoundTitle> titles;
   const std::string_view text(begin, end - begin);
   for (std::size_t at = text.find(Title); at != text.npos && begin + at < last;
     at = text.find(Title, at + Title.size()))
@@ -101,21 +64,18 @@ ScannedBlock ScanBlock(
     const char* const p = begin + at;
     if (IsLineEnd(p[-1]))
     {
-      block.LineEnds += CountEnds(counted, p);
-      counted = p;
-      FoundTitle title{ offset + at, block.LineEnds, std::nullopt, false, {} };
+      FoundTitle title{ offset + at, std::nullopt, false, {} };
       ReadTime(p, end, isFileEnd, title);
-      block.Titles.push_back(title);
+      titles.push_back(title);
     }
   }
-  block.LineEnds += CountEnds(counted, last);
-  return block;
+  return titles;
 }
 
 // In parallel, since a thread by itself takes as long to search a dump as to have it from the disk.
-std::vector<ScannedBlock> ScanFile(const std::string& file, unsigned long long size)
+std::vector<std::vector<FoundTitle>> ScanFile(const std::string& file, unsigned long long size)
 {
-  std::vector<ScannedBlock> blocks((size + BlockSize - 1) / BlockSize);
+  std::vector<std::vector<FoundTitle>> blocks((size + BlockSize - 1) / BlockSize);
   constexpr std::int64_t batch = 16; // blocks for which the file is opened once
   const auto scan = [&](std::int64_t number)
   {
@@ -146,14 +106,13 @@ std::vector<ScannedBlock> ScanFile(const std::string& file, unsigned long long s
       " and no later step, expected ITEM: TIMESTEP");
 }
 
-std::vector<TimeStep> JoinBlocks(
-  const std::vector<ScannedBlock>& blocks, const std::string& file, unsigned long long size)
+std::vector<TimeStep> JoinBlocks(const std::vector<std::vector<FoundTitle>>& blocks,
+  const std::string& file, unsigned long long size)
 {
   std::vector<TimeStep> steps;
-  vtkIdType line = 1;
-  for (const ScannedBlock& block : blocks)
+  for (const std::vector<FoundTitle>& titles : blocks)
   {
-    for (const FoundTitle& title : block.Titles)
+    for (const FoundTitle& title : titles)
     {
       if (!steps.empty())
       {
@@ -165,13 +124,12 @@ std::vector<TimeStep> JoinBlocks(
       }
       if (title.IsCut || !title.Time)
       {
-        throw LineError(line + title.LinesBefore + 1,
+        throw LineError(LineBlocks(file, 0, size).LinesBefore(title.At) + 2,
           "found " + (title.IsCut ? "the end of the file" : title.Found) +
             ", expected the time step" + (title.IsCut ? " and atoms after it" : ""));
       }
-      steps.push_back({ title.Time, title.At, size, line + title.LinesBefore });
+      steps.push_back({ title.Time, title.At, size });
     }
-    line += block.LineEnds;
   }
   if (steps.empty())
   {

@@ -48,7 +48,7 @@ bool IsProse(const TextRange& line, const TableLayout& layout)
 }
 
 //------------------------------------------------------------------------------
-std::vector<Column> ColumnsOfOption(const ReadOptions& options)
+std::vector<Column> GivenColumns(const ReadOptions& options)
 {
   const std::string& text = options.Columns;
   Fields names;
@@ -88,7 +88,7 @@ std::vector<Column> ColumnsOfOption(const ReadOptions& options)
 TableLayout LayoutOfColumns(Format format, const ReadOptions& options, TextRange& text)
 {
   TableLayout layout;
-  layout.Columns = ColumnsOfOption(options);
+  layout.Columns = GivenColumns(options);
   layout.Expected = DescribeColumns(layout.Columns);
   for (;;)
   {

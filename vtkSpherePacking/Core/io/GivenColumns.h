@@ -16,14 +16,14 @@ inline Radii RadiiOf(const ReadOptions& options)
   return options.RadiusOptional ? Radii::Optional : Radii::Required;
 }
 
-/// The columns that the options name; - or _ stands for one to skip. Throws a ContentError if x, y,
-/// z or, unless it is optional, a radius is missing among them.
-std::vector<Column> ColumnsOfOption(const ReadOptions& options);
+/// The columns that the options name; - or _ stands for one to skip. Throws if the names have no
+/// coordinates or no radius.
+std::vector<Column> GivenColumns(const ReadOptions& options);
 
 /**
- * The layout of a table whose columns the options name. Lines before the first row are skipped if
- * they begin with a letter and hold no number where the sphere should be, so that `text` begins
- * after them. Throws as ColumnsOfOption().
+ * The layout of a table whose columns the options name. Lines before
+ * the first row are skipped if they begin with a letter and hold no number where the sphere should
+ * be, so that `text` begins after them. Throws if the names have no coordinates or no radius.
  */
 TableLayout LayoutOfColumns(Format format, const ReadOptions& options, TextRange& text);
 }

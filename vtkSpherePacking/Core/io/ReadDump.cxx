@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/GivenColumns.h"
 #include "io/DumpFile.h"
-#include "io/FileBytes.h"
+#include "io/GivenColumns.h"
 #include "io/PackingFileError.h"
 #include "io/PackingFormats.h"
-#include "io/TextTable.h"
+#include "io/StepRows.h"
 #include "io/TimeSteps.h"
 
 namespace spherepacking
@@ -12,17 +11,18 @@ namespace spherepacking
 namespace
 {
 PackingArrays ParseDump(
-  const FileBytes& bytes, const TimeStep& step, const ReadOptions& options, Progress& progress)
+  LineBlocks& blocks, const TimeStep& step, const ReadOptions& options, Progress& progress)
 {
+  blocks.Next();
+  while (!HasDumpHeader(blocks.Text()) && blocks.Grow())
+  {
+  }
   const DumpHeader header =
-    ReadDumpHeader({ bytes.Begin(), bytes.End(), step.FirstLine }, RadiiOf(options));
-  CheckNotCut(header.Atoms);
-  progress.SetRange(0.2, 0.3);
-  const auto chunks =
-    CutIntoChunks(header.Atoms, header.Layout.Rows, options.ChunkSize, 0, progress);
-  CheckCount(header.Count, "atoms", header.CountLine, chunks);
-  progress.SetRange(0.3, 1.0);
-  PackingArrays arrays = ParseTable(bytes.End(), header.Layout, chunks, options.Single, progress);
+    blocks.AddLines([&] { return ReadDumpHeader(blocks.Text(), RadiiOf(options)); });
+  StepRows rows{ header.Atoms.Begin, header.Count, header.CountLine, "atoms" };
+  rows.MustEndLines = true;
+  rows.End = EndOfAtoms;
+  PackingArrays arrays = ReadStepRows(blocks, rows, header.Layout, options, progress);
   if (header.Cell)
   {
     arrays.SetCell(*header.Cell);
@@ -36,8 +36,7 @@ PackingArrays ParseDump(
 PackingArrays ReadDump(
   const std::string& file, const TimeStep& step, const ReadOptions& options, Progress& progress)
 {
-  progress.SetRange(0.0, 0.2);
-  const FileBytes bytes = FileBytes::ReadRange(file, step.Begin, step.End - step.Begin, progress);
-  return WithFileName(file, [&] { return ParseDump(bytes, step, options, progress); });
+  LineBlocks blocks(file, step.Begin, step.End);
+  return WithFileName(file, [&] { return ParseDump(blocks, step, options, progress); });
 }
 }

@@ -168,9 +168,32 @@ std::ptrdiff_t LengthOfCutTitle(const TextRange& text)
   const std::string_view last(p, text.End - p);
   return last.size() < title.size() && title.substr(0, last.size()) == last ? last.size() : 0;
 }
+}
 
-// The atoms end at the next title, which need not be the ITEM: TIMESTEP of the next step.
-const char* AtomsEnd(const TextRange& text)
+//------------------------------------------------------------------------------
+bool HasDumpHeader(const TextRange& text)
+{
+  LineCursor lines(text);
+  while (lines.Step())
+  {
+    if (lines.Line().substr(0, 11) == "ITEM: ATOMS")
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+DumpHeader ReadDumpHeader(const TextRange& text, Radii radii)
+{
+  DumpHeader header = HeaderScanner(text, radii).Scan();
+  MarkTextByFirstRow(header.Layout, { header.Atoms.Begin, EndOfAtoms(header.Atoms) });
+  return header;
+}
+
+//------------------------------------------------------------------------------
+const char* EndOfAtoms(const TextRange& text)
 {
   const std::string_view view(text.Begin, text.End - text.Begin);
   for (std::size_t at = view.find("ITEM:"); at != view.npos; at = view.find("ITEM:", at + 1))
@@ -181,15 +204,5 @@ const char* AtomsEnd(const TextRange& text)
     }
   }
   return text.End - LengthOfCutTitle(text);
-}
-}
-
-//------------------------------------------------------------------------------
-DumpHeader ReadDumpHeader(const TextRange& text, Radii radii)
-{
-  DumpHeader header = HeaderScanner(text, radii).Scan();
-  header.Atoms.End = AtomsEnd(header.Atoms);
-  MarkTextByFirstRow(header.Layout, header.Atoms);
-  return header;
 }
 }

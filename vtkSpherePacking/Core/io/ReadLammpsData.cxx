@@ -83,9 +83,9 @@ std::vector<Column> ColumnsOfStyle(
 TableLayout LayoutOfAtoms(const LammpsDataFile& file, const ReadOptions& options)
 {
   TableLayout layout;
-  layout.Columns = !options.Columns.empty()
-    ? ColumnsOfOption(options)
-    : ColumnsOfStyle(file, FirstRow(file.Atoms->Rows), options);
+  layout.Columns = options.Columns.empty()
+    ? ColumnsOfStyle(file, FirstRow(file.Atoms->Rows), options)
+    : GivenColumns(options);
   MarkTextByFirstRow(layout, file.Atoms->Rows);
   layout.Expected = DescribeColumns(layout.Columns);
   return layout;
@@ -146,7 +146,7 @@ void AddVelocities(PackingArrays& atoms, const char* textEnd, const LammpsSectio
   const double* const atomIds = atoms.FindExtra("id");
   const TableLayout layout = LayoutOfVelocities(section.Rows);
   const auto chunks = CutIntoChunks(section.Rows, layout.Rows, options.ChunkSize, 0, progress);
-  CheckCount(atoms.GetCount(), "atoms", section.Line, chunks);
+  CheckCount(atoms.GetCount(), "velocities", section.Line, CountRows(chunks));
   const PackingArrays velocities = ParseTable(textEnd, layout, chunks, false, progress);
   const double* const ids = velocities.FindExtra("id");
   if (!atomIds || !ids)
@@ -209,7 +209,7 @@ PackingArrays ParseLammpsData(
   const TableLayout layout = LayoutOfAtoms(file, options);
   progress.SetRange(0.2, 0.3);
   const auto chunks = CutIntoChunks(file.Atoms->Rows, layout.Rows, options.ChunkSize, 0, progress);
-  CheckCount(file.Count, "atoms", file.CountLine, chunks);
+  CheckCount(file.Count, "atoms", file.CountLine, CountRows(chunks));
   progress.SetRange(0.3, 0.8);
   PackingArrays arrays = ParseTable(bytes.End(), layout, chunks, options.Single, progress);
   if (file.Velocities)

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/FileBytes.h"
 #include "io/LineCursor.h"
 #include "io/MercuryHeader.h"
 #include "io/PackingFileError.h"
 #include "io/PackingFormats.h"
-#include "io/TextTable.h"
+#include "io/StepRows.h"
 #include "io/TimeSteps.h"
 
 #include <algorithm>
@@ -73,10 +72,25 @@ SimulationCell CellOf(const MercuryHeader& header)
   return cell;
 }
 
-PackingArrays ParseMercury(
-  const FileBytes& bytes, const TimeStep& step, const ReadOptions& options, Progress& progress)
+// Whether a text that begins with a step has its header and the first particle.
+bool HasHead(const TextRange& text)
 {
-  LineCursor lines({ bytes.Begin(), bytes.End(), step.FirstLine });
+  LineCursor lines(text);
+  int count = 0;
+  while (count < 2 && lines.Step())
+  {
+    count += !lines.Fields().empty();
+  }
+  return count == 2;
+}
+
+PackingArrays ParseMercury(LineBlocks& blocks, const ReadOptions& options, Progress& progress)
+{
+  blocks.Next();
+  while (!HasHead(blocks.Text()) && blocks.Grow())
+  {
+  }
+  LineCursor lines(blocks.Text());
   do
   {
     lines.StepInto("the file", MercuryHeader::Expected);
@@ -84,16 +98,11 @@ PackingArrays ParseMercury(
   const auto header = ParseMercuryHeader(lines.Line());
   if (!header)
   {
-    lines.Refuse(MercuryHeader::Expected);
+    blocks.AddLines([&] { lines.Refuse(MercuryHeader::Expected); });
   }
-  const TextRange rows = lines.Rest();
-  const TableLayout layout = LayoutOf(*header, lines);
-  CheckNotCut(rows);
-  progress.SetRange(0.2, 0.3);
-  const auto chunks = CutIntoChunks(rows, layout.Rows, options.ChunkSize, 0, progress);
-  CheckCount(header->Count, "particles", lines.Number(), chunks);
-  progress.SetRange(0.3, 1.0);
-  PackingArrays arrays = ParseTable(bytes.End(), layout, chunks, options.Single, progress);
+  StepRows rows{ lines.Rest().Begin, header->Count, lines.Number(), "particles" };
+  rows.MustEndLines = true;
+  PackingArrays arrays = ReadStepRows(blocks, rows, LayoutOf(*header, lines), options, progress);
   // A cell without extent along z would be none.
   if (header->Dimensions == 3)
   {
@@ -157,8 +166,7 @@ bool BeginsAsMercury(const char* begin, const char* end)
 PackingArrays ReadMercury(
   const std::string& file, const TimeStep& step, const ReadOptions& options, Progress& progress)
 {
-  progress.SetRange(0.0, 0.2);
-  const FileBytes bytes = FileBytes::ReadRange(file, step.Begin, step.End - step.Begin, progress);
-  return WithFileName(file, [&] { return ParseMercury(bytes, step, options, progress); });
+  LineBlocks blocks(file, step.Begin, step.End);
+  return WithFileName(file, [&] { return ParseMercury(blocks, options, progress); });
 }
 }

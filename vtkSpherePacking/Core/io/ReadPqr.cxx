@@ -3,6 +3,7 @@
 #include "io/FileBytes.h"
 #include "io/Number.h"
 #include "io/PackingFileError.h"
+#include "io/PrintableText.h"
 #include "io/PackingFormats.h"
 #include "io/PdbModels.h"
 #include "io/PqrRemarks.h"
@@ -19,7 +20,7 @@ namespace spherepacking
 {
 namespace
 {
-constexpr char Expected[] = "10 or more that end with x y z charge radius";
+constexpr char Expected[] = "10 to 13 that end with x y z charge radius and perhaps an element";
 
 // What is wrong with a line, and where.
 struct BadLine
@@ -188,16 +189,12 @@ private:
     SetText(this->To.Elements[row], record.Element);
   }
 
-  // Bytes beyond ASCII are escaped: the values must be valid UTF-8 whatever the file is.
+  // Such text must be valid UTF-8 whatever the file is.
   static void SetText(std::string& to, std::string_view field)
   {
-    if (std::all_of(field.begin(), field.end(), [](char c) { return c >= ' ' && c <= '~'; }))
-    {
-      to = field;
-      return;
-    }
-    const std::string quoted = QuoteField(field);
-    to = quoted.substr(1, quoted.size() - 2);
+    const bool plain =
+      std::all_of(field.begin(), field.end(), [](char c) { return c >= ' ' && c <= '~'; });
+    to = plain ? std::string(field) : PrintableText(field);
   }
 
   // Any other line is left out, unless it is a record of atoms whose name is damaged.

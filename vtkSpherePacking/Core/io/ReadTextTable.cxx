@@ -5,28 +5,33 @@
 #include "io/PackingFormats.h"
 #include "io/TableDetector.h"
 #include "io/TextTable.h"
+#include "io/UnicodeText.h"
 #include "io/Utf8Mark.h"
+
+#include <utility>
 
 namespace spherepacking
 {
 namespace
 {
 PackingArrays ParseTextTable(
-  const FileBytes& bytes, Format format, const ReadOptions& options, Progress& progress)
+  FileBytes encoded, Format format, const ReadOptions& options, Progress& progress)
 {
+  const FileBytes bytes = ToUtf8(std::move(encoded));
   TextRange text{ SkipUtf8Mark(bytes.Begin(), bytes.End()), bytes.End() };
   const TableLayout layout = DetectTable(format, options, text);
   progress.SetRange(0.2, 0.3);
   const auto chunks = CutIntoChunks(text, layout.Rows, options.ChunkSize, 0, progress);
-  if (layout.IsNameless)
-  {
-    CheckFirstColumn(text, layout);
-  }
   progress.SetRange(0.3, 1.0);
   PackingArrays arrays = ParseTable(bytes.End(), layout, chunks, options.Single, progress);
-  if (layout.IsNameless)
+  CheckFirstColumn(text, layout);
+  if (layout.Named == Naming::None)
   {
-    CheckFirstRow(text, layout, arrays);
+    CheckFirstRow(text, arrays);
+  }
+  if (layout.Cell)
+  {
+    arrays.SetCell(*layout.Cell);
   }
   return arrays;
 }
@@ -37,7 +42,8 @@ PackingArrays ReadTextTable(
   const std::string& file, Format format, const ReadOptions& options, Progress& progress)
 {
   progress.SetRange(0.0, 0.2);
-  const FileBytes bytes = FileBytes::Read(file, progress);
-  return WithFileName(file, [&] { return ParseTextTable(bytes, format, options, progress); });
+  FileBytes bytes = FileBytes::Read(file, progress);
+  return WithFileName(
+    file, [&] { return ParseTextTable(std::move(bytes), format, options, progress); });
 }
 }

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/FileBytes.h"
 #include "io/GivenColumns.h"
 #include "io/LineCursor.h"
 #include "io/PackingFileError.h"
 #include "io/PackingFormats.h"
-#include "io/TextTable.h"
+#include "io/StepRows.h"
 #include "io/TimeSteps.h"
-#include "io/Utf8Mark.h"
 #include "io/XyzComment.h"
 
 #include <algorithm>
@@ -25,6 +23,18 @@ struct FrameHead
   vtkIdType CountLine;
   LineCursor Lines; ///< at the comment
 };
+
+// Whether a text that begins with a frame has all that its layout depends on, to the first atom.
+bool HasHead(const TextRange& text)
+{
+  LineCursor lines(text);
+  int count = 0;
+  while (count < 3 && lines.Step())
+  {
+    count += count > 0 || !lines.Fields().empty();
+  }
+  return count == 3;
+}
 
 FrameHead ReadHead(const TextRange& text)
 {
@@ -198,7 +208,7 @@ TableLayout ReadLayout(const FrameHead& head, const ReadOptions& options)
   }
   else
   {
-    layout.Columns = !options.Columns.empty() ? ColumnsOfOption(options) : PlainColumns(row);
+    layout.Columns = options.Columns.empty() ? PlainColumns(row) : GivenColumns(options);
     MarkTextByFirstRow(layout, rows);
   }
   layout.Expected = DescribeColumns(layout.Columns);
@@ -214,26 +224,31 @@ TableLayout ReadLayout(const FrameHead& head, const ReadOptions& options)
 }
 
 PackingArrays ParseXyz(
-  const FileBytes& bytes, const TimeStep& step, const ReadOptions& options, Progress& progress)
+  LineBlocks& blocks, const TimeStep& step, const ReadOptions& options, Progress& progress)
 {
-  const FrameHead head = ReadHead({ bytes.Begin(), bytes.End(), step.FirstLine });
-  const XyzComment comment(head.Lines.Line());
+  blocks.Next();
+  while (!HasHead(blocks.Text()) && blocks.Grow())
+  {
+  }
   TableLayout layout;
   std::optional<SimulationCell> cell;
-  try
-  {
-    layout = ReadLayout(head, options);
-    cell = comment.Cell();
-  }
-  catch (const ContentError& error)
-  {
-    throw LineError(head.Lines.Number(), error.what());
-  }
-  progress.SetRange(0.2, 0.3);
-  const auto chunks = CutIntoChunks(head.Lines.Rest(), layout.Rows, options.ChunkSize, 0, progress);
-  CheckCount(head.Count, "atoms", head.CountLine, chunks);
-  progress.SetRange(0.3, 1.0);
-  PackingArrays arrays = ParseTable(bytes.End(), layout, chunks, options.Single, progress);
+  const FrameHead head = blocks.AddLines(
+    [&]
+    {
+      const FrameHead found = ReadHead(blocks.Text());
+      try
+      {
+        layout = ReadLayout(found, options);
+        cell = XyzComment(found.Lines.Line()).Cell();
+      }
+      catch (const ContentError& error)
+      {
+        throw LineError(found.Lines.Number(), error.what());
+      }
+      return found;
+    });
+  const StepRows rows{ head.Lines.Rest().Begin, head.Count, head.CountLine, "atoms" };
+  PackingArrays arrays = ReadStepRows(blocks, rows, layout, options, progress);
   if (cell)
   {
     arrays.SetCell(*cell);
@@ -250,8 +265,7 @@ PackingArrays ParseXyz(
 PackingArrays ReadXyz(
   const std::string& file, const TimeStep& step, const ReadOptions& options, Progress& progress)
 {
-  progress.SetRange(0.0, 0.2);
-  const FileBytes bytes = FileBytes::ReadRange(file, step.Begin, step.End - step.Begin, progress);
-  return WithFileName(file, [&] { return ParseXyz(bytes, step, options, progress); });
+  LineBlocks blocks(file, step.Begin, step.End);
+  return WithFileName(file, [&] { return ParseXyz(blocks, step, options, progress); });
 }
 }

@@ -2,9 +2,11 @@
 #ifndef TableHead_h
 #define TableHead_h
 
+#include "bridge/PackingArrays.h"
 #include "io/FitNames.h"
 #include "io/TextLines.h"
 
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -13,13 +15,17 @@ namespace spherepacking
 /// The lines at the beginning of a table: comments, and the first that is none.
 struct TableHead
 {
-  std::vector<TextRange> Comments; ///< without blank ones
-  std::string_view YadeNames;      ///< the field after #format, or empty
+  std::vector<TextRange> Comments;    ///< without blank ones
+  std::string_view YadeNames;         ///< the field after #format of YADE, or empty
+  std::optional<SimulationCell> Cell; ///< after ##PERIODIC:: of YADE
   TextRange Row{ nullptr, nullptr, 0 };
 };
 
 /// Throws if `text` has no line but comments.
 TableHead FindHead(const TextRange& text);
+
+/// The first line that is no comment, or one that begins nowhere.
+TextRange FindRow(const TextRange& text);
 
 inline std::string_view View(const TextRange& line)
 {
@@ -30,6 +36,7 @@ inline std::string_view View(const TextRange& line)
 struct CommentFit : NamesFit
 {
   TextRange Line{ nullptr, nullptr, 0 };
+  bool OneEach = false; ///< a comment for each column
 };
 
 /**

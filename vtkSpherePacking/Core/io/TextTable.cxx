@@ -5,7 +5,10 @@
 #include "io/RowParser.h"
 
 #include <algorithm>
+#include <atomic>
 #include <memory>
+#include <string>
+#include <string_view>
 
 namespace spherepacking
 {
@@ -42,21 +45,26 @@ void ParseChunk(
   }
 }
 
+[[noreturn]] void ThrowColumnCount(vtkIdType line, const TableLayout& layout, const char* begin)
+{
+  const std::size_t found = layout.Between.Split(begin).size();
+  const char* end = begin;
+  while (!IsLineEnd(*end))
+  {
+    ++end;
+  }
+  throw LineError(line,
+    "found " + std::to_string(found) + (found == 1 ? " column " : " columns ") +
+      Quote(SkipBlanks(begin, end), end) + ", expected " + layout.Expected);
+}
+
 [[noreturn]] void ThrowBadRow(const TextChunk& chunk, const TableLayout& layout, const BadRow& bad)
 {
   const vtkIdType line = chunk.FirstLine + CountLineEnds(chunk.Begin, bad.Line);
   const RowFault& fault = bad.Fault;
   if (fault.What == RowFault::TooFewColumns || fault.What == RowFault::TooManyColumns)
   {
-    const std::size_t found = layout.Between.Split(bad.Line).size();
-    const char* end = bad.Line;
-    while (!IsLineEnd(*end))
-    {
-      ++end;
-    }
-    throw LineError(line,
-      "found " + std::to_string(found) + (found == 1 ? " column " : " columns ") +
-        Quote(SkipBlanks(bad.Line, end), end) + ", expected " + layout.Expected);
+    ThrowColumnCount(line, layout, bad.Line);
   }
   const Column& column = layout.Columns[fault.Column];
   // A radius is called so even if the column is called r.
@@ -73,27 +81,10 @@ void ParseChunk(
       ", expected " + expected);
 }
 
-// Parses the rows into arrays. Returns whether a column of numbers turned out to be text, whose
-// role in `layout` is that from then on.
 template <typename Real, bool Scaled>
-bool ParseInto(PackingArrays& arrays, const char* textEnd, TableLayout& layout,
-  const std::vector<TextChunk>& chunks, Progress& progress)
+void ParseInto(PackingArrays& arrays, const ExtraColumns& extras, const char* textEnd,
+  const TableLayout& layout, const std::vector<TextChunk>& chunks, Progress& progress)
 {
-  const std::size_t columns = layout.Columns.size();
-  ExtraColumns extras{ std::vector<double*>(columns), std::vector<std::string*>(columns),
-    std::make_unique<std::atomic<bool>[]>(columns) };
-  for (std::size_t i = 0; i < columns; ++i)
-  {
-    const Column& column = layout.Columns[i];
-    if (column.Role == ColumnRole::Extra)
-    {
-      extras.Numbers[i] = arrays.AddExtra(column.Name);
-    }
-    else if (column.Role == ColumnRole::Text)
-    {
-      extras.Texts[i] = arrays.AddText(column.Name);
-    }
-  }
   const RowParser<Real, Scaled> parser(
     layout, textEnd, arrays.Centers<Real>(), arrays.Radii<Real>(), extras);
 
@@ -123,29 +114,94 @@ bool ParseInto(PackingArrays& arrays, const char* textEnd, TableLayout& layout,
       }
     },
     throwIfFailed);
-
-  bool turned = false;
-  for (std::size_t i = 0; i < columns; ++i)
-  {
-    if (extras.IsText[i])
-    {
-      layout.Columns[i].Role = ColumnRole::Text;
-      turned = true;
-    }
-  }
-  return turned;
 }
 }
 
 //------------------------------------------------------------------------------
-void CheckCount(
-  vtkIdType count, const std::string& things, vtkIdType line, const std::vector<TextChunk>& chunks)
+TableParser::TableParser(const TableLayout& layout, vtkIdType count, bool single)
+  : Rows(layout)
+  , Arrays(count, single, HasRadius(layout.Columns))
+  , Extras(new ExtraColumns)
 {
-  if (const vtkIdType rows = CountRows(chunks); rows != count)
+  const std::size_t columns = layout.Columns.size();
+  *this->Extras = { std::vector<double*>(columns), std::vector<std::string*>(columns),
+    std::make_unique<std::atomic<bool>[]>(columns) };
+  for (std::size_t i = 0; i < columns; ++i)
   {
-    throw LineError(line,
-      "found " + std::to_string(count) + " as the number of " + things + ", but " +
-        std::to_string(rows) + " lines of " + things + " follow, expected as many");
+    const Column& column = layout.Columns[i];
+    if (column.Role == ColumnRole::Extra)
+    {
+      this->Extras->Numbers[i] = this->Arrays.AddExtra(column.Name);
+    }
+    else if (column.Role == ColumnRole::Text)
+    {
+      this->Extras->Texts[i] = this->Arrays.AddText(column.Name);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+TableParser::~TableParser() = default;
+
+//------------------------------------------------------------------------------
+void TableParser::Parse(
+  const char* textEnd, const std::vector<TextChunk>& chunks, Progress& progress)
+{
+  const bool scaled = this->Rows.Box.has_value();
+  const auto parse = this->Arrays.IsSingle()
+    ? (scaled ? ParseInto<float, true> : ParseInto<float, false>)
+    : (scaled ? ParseInto<double, true> : ParseInto<double, false>);
+  parse(this->Arrays, *this->Extras, textEnd, this->Rows, chunks, progress);
+}
+
+//------------------------------------------------------------------------------
+std::optional<TableLayout> TableParser::LayoutWithText() const
+{
+  std::optional<TableLayout> layout;
+  for (std::size_t i = 0; i < this->Rows.Columns.size(); ++i)
+  {
+    if (this->Extras->IsText[i])
+    {
+      if (!layout)
+      {
+        layout = this->Rows;
+      }
+      layout->Columns[i].Role = ColumnRole::Text;
+    }
+  }
+  return layout;
+}
+
+//------------------------------------------------------------------------------
+PackingArrays ParseTable(const char* textEnd, const TableLayout& layout,
+  const std::vector<TextChunk>& chunks, bool single, Progress& progress)
+{
+  std::optional<TableLayout> roles = layout;
+  while (true)
+  {
+    TableParser parser(*roles, CountRows(chunks), single);
+    parser.Parse(textEnd, chunks, progress);
+    roles = parser.LayoutWithText();
+    if (!roles)
+    {
+      return parser.Take();
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void CheckNoShortRow(const TextRange& text, const TableLayout& layout)
+{
+  LineFinder find(text.End);
+  vtkIdType line = text.FirstLine;
+  for (const char* p = text.Begin; p != text.End; ++line)
+  {
+    const char* const end = find(p);
+    if (IsRow(layout.Rows, p, end) && layout.Between.Split(p).size() < layout.Columns.size())
+    {
+      ThrowColumnCount(line, layout, p);
+    }
+    p = SkipLineEnd(end, text.End);
   }
 }
 
@@ -167,24 +223,13 @@ void CheckNotCut(const TextRange& rows)
 }
 
 //------------------------------------------------------------------------------
-PackingArrays ParseTable(const char* textEnd, const TableLayout& layout,
-  const std::vector<TextChunk>& chunks, bool single, Progress& progress)
+void CheckCount(vtkIdType count, const char* things, vtkIdType line, vtkIdType rows)
 {
-  const bool scaled = layout.Box.has_value();
-  const auto parse = single ? (scaled ? ParseInto<float, true> : ParseInto<float, false>)
-                            : (scaled ? ParseInto<double, true> : ParseInto<double, false>);
-  const bool hasRadii = HasRadius(layout.Columns);
-  TableLayout roles = layout;
+  if (rows != count)
   {
-    PackingArrays arrays(CountRows(chunks), single, hasRadii);
-    if (!parse(arrays, textEnd, roles, chunks, progress))
-    {
-      return arrays;
-    }
+    throw LineError(line,
+      "found " + std::to_string(count) + " as the number of " + things + ", but " +
+        std::to_string(rows) + " lines of " + things + " follow, expected as many");
   }
-  // Again, since the text of rows before the first that was no number is gone.
-  PackingArrays arrays(CountRows(chunks), single, hasRadii);
-  parse(arrays, textEnd, roles, chunks, progress);
-  return arrays;
 }
 }

@@ -17,7 +17,6 @@ struct TimeStep
   std::optional<double> Time;
   unsigned long long Begin;
   unsigned long long End;
-  vtkIdType FirstLine;
 };
 
 /// The steps of a file, at least one, and the value by which each is asked for: the file's own
