@@ -83,6 +83,7 @@ BAD_HEADS = {
     "cut": (HEAD.partition("\nDim")[0], 7, "the end of the file", "Dimension"),
     "no files": (HEAD.partition("run_t")[0] + "\n", 9, "''", "names of the files"),
     "missing": (HEAD + " run_t=250_3.txt", 9, "'run_t=250_3.txt'", "beside this one"),
+    "twice": (HEAD + " run_t=250_1.txt", 9, "'run_t=250_1.txt' twice", "once"),
 }
 
 

@@ -9,6 +9,7 @@
 #include "vtksys/SystemTools.hxx"
 
 #include <algorithm>
+#include <set>
 
 namespace spherepacking
 {
@@ -60,8 +61,15 @@ std::vector<WorkerFile> FindWorkerFiles(const std::string& head, const EsysSnaps
 {
   const std::string folder = vtksys::SystemTools::GetFilenamePath(head);
   std::vector<WorkerFile> files;
+  std::set<std::string> names;
   for (const std::string& name : snapshot.Files)
   {
+    if (!names.insert(name).second)
+    {
+      throw LineError(snapshot.FilesLine,
+        "found " + Quote(name.data(), name.data() + name.size()) +
+          " twice, expected each file of particles once");
+    }
     const std::string path = folder.empty() ? name : folder + '/' + name;
     if (!vtksys::SystemTools::FileExists(path, true))
     {
