@@ -94,7 +94,9 @@ StepHead ReadXyzHead(FileLines& lines, const std::optional<vtkIdType>& previous)
     throw LineError(
       number, "found the end of the file after the number of atoms, expected a comment and atoms");
   }
-  return { true, *count, XyzComment(lines.Read()).Time() };
+  const std::optional<double> time = XyzComment(lines.Read()).Time();
+  const bool isCut = *count > 0 && lines.AtEnd() && lines.EndedWithFile();
+  return { !previous || !isCut, *count, time };
 }
 
 StepHead ReadMercuryHead(FileLines& lines, const std::optional<vtkIdType>& previous)
