@@ -322,7 +322,7 @@ def test_labels(read_text):
 
 
 def test_a_column_that_turns_to_text_in_a_later_block(read_text):
-    rows = ["1.5 2.5 3.5 0.5 7"] * 600_000  # 10 MB, of which a block is 8 MiB
+    rows = ["1.5 2.5 3.5 0.5 7"] * 1_100_000  # 20 MB, of which a block is 16 MiB
     rows[-1] = "1.5 2.5 3.5 0.5 seven"
     packing = read_text(step(0, "x y z radius name", rows), "p.dump")
     assert packing["name"][[0, -2, -1]].tolist() == ["7", "7", "seven"]
@@ -330,12 +330,13 @@ def test_a_column_that_turns_to_text_in_a_later_block(read_text):
 
 
 def test_a_header_longer_than_a_block(read_text):
-    names = " ".join(f"c_{i:07}" for i in range(1_000_000))
-    numbers = " 1" * 1_000_000
+    count = 200_000
+    names = " ".join(f"{'c' * 80}{i:07}" for i in range(count))  # 17 MB
+    numbers = " 1" * count
     text = step(0, f"x y z radius {names}", [f"1 2 3 0.5{numbers}"])
     packing = read_text(text, "p.dump")
     assert packing.points.tolist() == [[1, 2, 3]]
-    assert packing["c_0999999"].tolist() == [1]
+    assert packing["c" * 80 + "0199999"].tolist() == [1]
 
 
 def test_without_radii(read_text):
