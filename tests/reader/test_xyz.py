@@ -74,6 +74,24 @@ def test_the_time(tmp_path, read_steps, key, time):
     assert times == [time]
 
 
+@pytest.mark.parametrize(
+    ("comments", "values", "numbers"),
+    [
+        (["Timestep=0 Time=0.000000", "Timestep=100 Time=0.000000"], [0, 100], [0, 100]),
+        (["Timestep=0.5 Time=3", "Timestep=0.5 Time=4"], [3, 4], [3, 4]),
+        (["Step=5 Time=3", "Step=5 Time=3"], [0, 1], [3, 3]),
+        (["Step=5", "Step=7 Time=3"], [5, 7], [5, 7]),
+        (["Time=soon", "Time=later"], [0, 1], [None, None]),
+    ],
+)
+def test_the_number_that_increases(tmp_path, read_steps, comments, values, numbers):
+    text = "".join(extended(f"{PROPERTIES} {comment}") for comment in comments)
+    (tmp_path / "p.xyz").write_text(text)
+    times, packings = read_steps(tmp_path / "p.xyz")
+    assert times == values
+    assert [next(iter(p.field_data.get("TimeValue", [])), None) for p in packings] == numbers
+
+
 def test_a_lattice_alone_is_periodic(read_text):
     packing = read_text(extended(f'Lattice="5 0 0 0 6 0 0 0 7" {PROPERTIES}'), "p.xyz")
     assert packing.field_data["cell_periodic"].tolist() == [1, 1, 1]
