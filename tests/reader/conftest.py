@@ -10,17 +10,17 @@ from spherepacking.vtkSpherePackingCore import (
 )
 
 
-def make_reader(path, *, single=False, chunk=None, fmt=None, columns=None, radius_optional=False):
+def make_reader(path, *, single=False, chunk=None, fmt=None, columns=None, optional=False):
     reader = vtkSpherePackingReader()
     reader.SetFileName(str(path))
-    reader.SetColumns(columns)
-    reader.SetRadiusOptional(radius_optional)
     if single:
         reader.SetOutputPointsPrecision(vtkSpherePackingReader.SINGLE_PRECISION)
     if chunk is not None:
         reader.SetChunkSize(chunk)
     if fmt is not None:
         reader.SetFormat(getattr(vtkSpherePackingReader, fmt))
+    reader.SetColumns(columns)
+    reader.SetRadiusOptional(optional)
     return reader
 
 

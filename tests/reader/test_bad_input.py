@@ -9,8 +9,8 @@ NOT_FOUND, CANNOT_OPEN, END_OF_FILE, FORMAT = 20001, 20002, 20004, 20005
 
 # name of the case: (file name, content, line, found, expected)
 TEXTS = {
-    "words": ("p.spheres", "hello big wide world\n", 1, "'hello' as x", "a number"),
-    "one word": ("p.spheres", "hello\n", 1, "1 column 'hello'", "at least 4: x y z radius"),
+    "words": ("p.spheres", "hello big wide world\n", 1, "'hello big wide world'", "lines of x y z"),
+    "one word": ("p.spheres", "hello\n", 1, "'hello', which is neither", "# before remarks"),
     "words later": (
         "p.spheres",
         "0 0 0 1\n\n# c\n1 2 three 4\n",
@@ -90,7 +90,13 @@ TEXTS = {
         "'" + "9" * 40 + "...'",
         "a number",
     ),
-    "utf-16": ("p.spheres", "0 0 0 1\n".encode("utf-16"), 1, r"'\xff\xfe0\x00", "expected"),
+    "utf-16, cut": (
+        "p.spheres",
+        "0 0 0 1\n".encode("utf-16")[:-1],
+        None,
+        "UTF-16 with no character at byte 17",
+        "UTF-8",
+    ),
     "only comments": ("p.spheres", "# nothing\n\n", None, "no sphere", "lines of x y z radius"),
     "only blanks": ("p.spheres", "\n \t\n", None, "no sphere", "lines of x y z radius"),
     "only a header": ("p.spheres", "x y z r\n", None, "no sphere", "lines of x y z radius"),
@@ -138,7 +144,7 @@ TEXTS = {
         "a header that names x, y, z and one of r, radius, d, diameter",
     ),
     "csv, no centre": ("p.csv", "x,y,r\n1,2,3\n", 1, "'x,y,r'", "a header that names x, y, z"),
-    "csv, twice": ("p.csv", "x,y,z,r,Radius\n1,2,3,4,5\n", 1, "'r' and 'Radius'", "each name once"),
+    "csv, twice": ("p.csv", "x,y,z,r,Rad\n1,2,3,4,5\n", 1, "'r' and 'Rad'", "each name once"),
     "csv, array twice": ("p.csv", "x,y,z,r,m,m\n1,2,3,4,5,6\n", 1, "'m' and 'm'", "each name once"),
     "csv, empty value": (
         "p.csv",
@@ -181,8 +187,8 @@ TEXTS = {
         "p.spheres",
         "# x y z d and so on\n1 2 3 4 5\n",
         1,
-        "a diameter among the 7 names 'x y z d and so on' over rows of 5 columns",
-        "a name for each column",
+        "the names '# x y z d and so on' over rows of 5 columns",
+        'a name for each column, or columns="id x y z r" (--columns)',
     ),
     "text as xyzd": ("p.xyzd", "1 2 3 4\n" * 4, None, "text", "x y z diameter as float64"),
     "pqr, negative": (

@@ -87,7 +87,7 @@ def test_the_first_of_two_errors_is_reported(read_error, tmp_path, threads):
 
 
 def test_one_line_longer_than_all_chunks(read_text):
-    text = "1 2 3 4 " + "5 " * 3000 + "\n6 7 8 9 " + "1 " * 3000
+    text = "1. 2 3 4 " + "5 " * 3000 + "\n6 7 8 9 " + "1 " * 3000
     packing = read_text(text, chunk=10)
     assert packing["radius"].tolist() == [4, 9]
     assert len(packing.array_names) == 3001

@@ -34,7 +34,7 @@ def test_columns_and_names(read_text, name, end):
     packing = read_text(step(0, COLUMNS, ROWS).replace("\n", end), name)
     assert packing.points.tolist() == [[0.5, 1.5, 2.5], [3.5, 4.5, -5.5]]
     assert packing["radius"].tolist() == [0.25, 0.75]
-    assert packing.point_data.keys()[:3] == ["radius", "id", "type"]
+    assert packing.point_data.keys() == ["radius", "id", "type", "element"]
     assert packing["id"].tolist() == [1, 2]
 
 
@@ -341,7 +341,7 @@ def test_a_header_longer_than_a_block(read_text):
 
 def test_without_radii(read_text):
     text = step(0, "id x y z", ["1 2 3 4"])
-    packing = read_text(text, "p.dump", radius_optional=True)
+    packing = read_text(text, "p.dump", optional=True)
     assert packing.points.tolist() == [[2, 3, 4]]
     assert packing.point_data.keys() == ["id"]
 

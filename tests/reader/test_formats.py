@@ -32,20 +32,24 @@ def test_comments_blank_lines_and_byte_order_mark(read_text, end):
     check(read_text(b"\xef\xbb\xbf" + end.join(text).encode()))
 
 
-def test_further_columns_of_numbers_ride_along_and_text_does_not(read_text):
-    packing = read_text("0 0 0 1 7 red 1e300\n1 0 0 2 -8 blue -inf\n2 0 0 3 9 red nan\n")
-    assert packing.array_names == ["radius", "column_5", "column_7"]
+def test_further_columns_of_numbers_and_text_ride_along(read_text):
+    packing = read_text("0. 0 0 1 7 red 1e300\n1 0 0 2 -8 blue -inf\n2 0 0 3 9 Größe nan\n")
+    assert packing.array_names == ["radius", "column_5", "column_6", "column_7"]
+    assert packing["column_6"].tolist() == ["red", "blue", "Größe"]
     assert packing["column_5"].tolist() == [7, -8, 9]
     assert packing["column_7"].tolist()[:2] == [1e300, -np.inf]
     assert np.isnan(packing["column_7"][2])
 
 
-def test_a_column_that_turns_out_to_be_text_is_left_out(read_text):
-    rows = [f"{i} 0 0 1 {i} {i * 2}" for i in range(1000)]
-    rows[998] = "998 0 0 1 12B 7"
-    packing = read_text("\n".join(rows), chunk=64)
-    assert packing.n_points == 1000
-    assert packing.array_names == ["radius", "column_6"]
+@pytest.mark.parametrize("chunk", [1, 64, 1 << 18])
+def test_a_column_that_turns_out_to_be_text_is_text_from_the_first_row_on(read_text, chunk):
+    rows = [f"{i}.5 0 0 1 {i}.0 {i * 2}" for i in range(1000)]
+    rows[998] = "998.5 0 0 1 12B 7"
+    packing = read_text("\n".join(rows), chunk=chunk)
+    assert packing.points[:, 0].tolist() == [i + 0.5 for i in range(1000)]
+    assert packing.array_names == ["radius", "column_5", "column_6"]
+    texts = [f"{i}.0" for i in range(998)] + ["12B", "999.0"]
+    assert packing["column_5"].tolist() == texts
     assert packing["column_6"].tolist() == [i * 2 for i in range(998)] + [7, 1998]
 
 
@@ -81,8 +85,9 @@ def test_a_comment_names_a_diameter(read_text, comment, name):
     assert read_text(f"{comment}\n1 2 3 4\n", name)["radius"].tolist() == [2]
 
 
-def test_a_comment_of_another_length_is_no_header(read_text):
+def test_a_comment_of_another_length_names_the_first_four(read_text):
     packing = read_text("# x y z r and so on\n1 2 3 4 5\n")
+    assert packing.points.tolist() == [[1, 2, 3]]
     assert packing["radius"].tolist() == [4]
 
 
@@ -93,7 +98,7 @@ def test_the_last_comment_that_names_columns_counts(read_text):
 
 
 def test_a_header_with_units(read_text):
-    packing = read_text("x [m],y [m],z [m],diameter [mm]\n1,2,3,4\n", "p.csv")
+    packing = read_text("x [mm],y [mm],z (mm),diameter [mm]\n1,2,3,4\n", "p.csv")
     assert packing["radius"].tolist() == [2]
 
 
@@ -102,12 +107,14 @@ def test_xyzr_takes_the_last_four_columns_of_numbers(read_text):
     packing = read_text(text, "balls.xyzr")
     assert packing.points.tolist() == [[6.444, 3.101, 48.834], [7, 8, 9]]
     assert packing["radius"].tolist() == [1.7, 2]
-    assert packing.array_names == ["radius", "column_2"]
+    assert packing.array_names == ["radius", "column_1", "column_2", "column_3"]
+    assert packing["column_1"].tolist() == ["A", "B"]
     assert packing["column_2"].tolist() == [3, 4]
+    assert packing["column_3"].tolist() == ["N", "CA"]
 
 
 def test_xyzr_with_text_at_the_end(read_text):
-    packing = read_text("5 1 2 3 4 CA\n6 5 6 7 8 N\n", "balls.xyzr")
+    packing = read_text("5 1 2 3 4.0 CA\n6 5 6 7 8 N\n", "balls.xyzr")
     assert packing.points.tolist() == [[1, 2, 3], [5, 6, 7]]
     assert packing["radius"].tolist() == [4, 8]
     assert packing["column_1"].tolist() == [5, 6]
@@ -160,7 +167,8 @@ def test_csv_quotes_empty_values_and_an_index(read_text):
     packing = read_text(text, "p.csv")
     assert packing.points.tolist() == [[1, 2, 3], [5, 6, 7]]
     assert packing["radius"].tolist() == [4, 8]
-    assert packing.array_names == ["radius", "column_1", "a, b", "m"]
+    assert packing.array_names == ["radius", "column_1", "a, b", "note", "m"]
+    assert packing["note"].tolist() == ["one, two", "x"]
     np.testing.assert_array_equal(packing["a, b"], [np.nan, -1])
     np.testing.assert_array_equal(packing["m"], [np.nan, 2])
 
@@ -195,7 +203,7 @@ def test_the_content_tells_where_the_extension_does_not(read_text):
     assert read_text(pqr, "p.txt").array_names == ["radius", "charge"]
     assert read_text("1 2 3 4\n", "p").n_points == 1
     assert read_text("1 2 3 4\n", "p.SPHERES").n_points == 1
-    assert read_text("7 1 2 3 4\n", "p.dat", fmt="XYZR")["radius"].tolist() == [4]
+    assert read_text("7 1 2 3 4.\n", "p.dat", fmt="XYZR")["radius"].tolist() == [4]
 
 
 @pytest.mark.parametrize(

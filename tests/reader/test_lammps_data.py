@@ -119,7 +119,7 @@ def test_names_given(read_text):
 
 def test_without_radii(read_text):
     rows = "1 1 1 0.5 0.25\n2 1 1.5 1.5 0.75\n"
-    packing = read_text(data(rows, "# atomic"), "p.data", radius_optional=True)
+    packing = read_text(data(rows, "# atomic"), "p.data", optional=True)
     assert packing.points.tolist() == [[1, 0.5, 0.25], [1.5, 1.5, 0.75]]
     assert packing.point_data.keys() == ["id", "type"]
 

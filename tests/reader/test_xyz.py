@@ -113,9 +113,7 @@ def test_a_cloud_of_points_is_a_table(read_text):
 
 
 def test_plain_xyz_without_radii(read_text):
-    packing = read_text(
-        "2\nplain\nC 1 2 3\nN 4 5 6 7\n".replace(" 7", ""), "p.xyz", radius_optional=True
-    )
+    packing = read_text("2\nplain\nC 1 2 3\nN 4 5 6 7\n".replace(" 7", ""), "p.xyz", optional=True)
     assert packing.points.tolist() == [[1, 2, 3], [4, 5, 6]]
     assert packing.point_data.keys() == ["species"]
     assert packing["species"].tolist() == ["C", "N"]

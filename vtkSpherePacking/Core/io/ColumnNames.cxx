@@ -85,12 +85,12 @@ private:
     for (std::size_t i = 0; i < this->Meanings.size(); ++i)
     {
       NameMeaning& meaning = this->Meanings[i];
-      const bool length = color && !meaning.Unit.empty();
-      if (meaning.What == NameMeaning::Radius && meaning.IsLetter && !length)
+      const bool red = color && meaning.Unit.empty(); // no color has a unit
+      if (meaning.What == NameMeaning::Radius && meaning.IsLetter && (red || distance))
       {
         this->Rejected = "found " + QuoteName(this->Names[i]) +
-          (color ? ", which is red beside green and blue, a color"
-                 : ", which is the distance from the origin beside the angles theta and phi") +
+          (red ? ", which is red beside green and blue, a color"
+               : ", which is the distance from the origin beside the angles theta and phi") +
           ", expected a column radius or diameter";
         meaning.What = NameMeaning::Other;
       }

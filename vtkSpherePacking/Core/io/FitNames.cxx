@@ -4,6 +4,7 @@
 #include "io/NameMeaning.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <optional>
 #include <set>
@@ -30,6 +31,11 @@ std::string_view Trim(std::string_view text)
     text.remove_suffix(1);
   }
   return text;
+}
+
+bool IsWhole(std::string_view word)
+{
+  return !word.empty() && word.find_first_not_of("0123456789") == word.npos;
 }
 
 // The line without the signs that begin a comment here or elsewhere.
@@ -83,7 +89,7 @@ Names Split(std::string_view line, Between between)
       name = name.substr(1, name.size() - 2);
     }
     const bool unit = !name.empty() && (name.front() == '(' || name.front() == '[') &&
-      (name.back() == ')' || name.back() == ']');
+      (name.back() == ')' || name.back() == ']') && !IsWhole(name.substr(1, name.size() - 2));
     const bool gap = between == Between::Anything || between == Between::WideGaps;
     if (!name.empty() ? !unit || !gap : !gap)
     {
@@ -138,22 +144,30 @@ struct Numbered
 std::optional<Numbered> TakeNumbers(const Names& names)
 {
   Numbered numbered;
-  for (std::size_t i = 0; i < names.size(); ++i)
+  for (const std::string_view name : names)
   {
     std::string_view rest;
-    const std::optional<std::size_t> number = LeadingNumber(names[i], rest);
-    if (!number)
+    if (const std::optional<std::size_t> number = LeadingNumber(name, rest))
+    {
+      numbered.Of.push_back(rest);
+      numbered.Columns.push_back(*number);
+    }
+    else if (numbered.Of.empty())
     {
       return std::nullopt;
     }
-    if (rest.empty() && i + 1 < names.size())
+    else
     {
-      rest = names[++i];
+      std::string_view& last = numbered.Of.back();
+      if (!last.empty() && !IsUnit(name) && !IsNameOfTwoWords(last, name))
+      {
+        return std::nullopt;
+      }
+      const char* const begin = last.empty() ? name.data() : last.data();
+      last = std::string_view(begin, name.data() + name.size() - begin);
     }
-    numbered.Of.push_back(rest);
-    numbered.Columns.push_back(*number);
   }
-  return numbered.Of.empty() ? std::nullopt : std::optional(numbered);
+  return numbered.Of.size() < 2 ? std::nullopt : std::optional(numbered);
 }
 
 // The names in the places that their numbers give them. Numbers count from 0 or from 1; which, must
@@ -183,27 +197,31 @@ Names InPlace(const Numbered& numbered, std::size_t count)
   return names;
 }
 
-// Whether the first word only says that names follow. #C does in files of IMD.
-bool IsLabel(std::string_view word)
+// The first word of a line, up to a blank.
+std::string_view FirstWord(std::string_view line)
 {
-  static const std::set<std::string_view> labels{ "columns", "Columns", "column", "fields",
-    "Fields", "names", "Names", "header", "variables", "VARIABLES", "C" };
-  return labels.count(word) > 0 ||
-    (word.size() > 2 && word.back() == ':' && (word[0] < '0' || word[0] > '9'));
+  return line.substr(0, std::min(line.find_first_of(" \t"), line.size()));
 }
 
-Names WithoutLabel(Names names)
+// The line without a word that says that names follow, such as "columns:", but not "id: x: y:".
+std::string_view WithoutLabel(std::string_view line)
 {
-  const bool colon = !names.empty() && names[0].size() > 2 && names[0].back() == ':';
-  if (!names.empty() && IsLabel(names[0]))
-  {
-    names.erase(names.begin());
-    if (!colon && !names.empty() && names[0] == "=")
-    {
-      names.erase(names.begin());
-    }
-  }
-  return names;
+  const auto isLabel = [](std::string_view word)
+  { return word.size() > 1 && word.back() == ':' && (word[0] < '0' || word[0] > '9'); };
+  const std::string_view word = FirstWord(line);
+  const std::string_view rest = Trim(line.substr(word.size()));
+  const bool label = isLabel(word) && word.size() > 2 && !isLabel(FirstWord(rest));
+  return label ? rest : line;
+}
+
+// The same where the word may be a name, too. #C does so in files of IMD.
+std::string_view WithoutLabelWord(std::string_view line)
+{
+  static const std::set<std::string_view> labels{ "columns", "Columns", "fields", "Fields", "names",
+    "Names", "header", "variables", "VARIABLES", "C" };
+  const std::string_view word = FirstWord(line);
+  line = labels.count(word) > 0 ? Trim(line.substr(word.size())) : line;
+  return line.substr(0, 1) == "=" ? Trim(line.substr(1)) : line;
 }
 
 Names WithoutColons(Names names)
@@ -215,16 +233,25 @@ Names WithoutColons(Names names)
   return names;
 }
 
+// Without units, if these are of one length; names of columns are among them otherwise.
 Names WithoutUnits(const Names& names)
 {
   Names rest;
+  std::string length;
   for (std::size_t i = 0; i < names.size(); ++i)
   {
     const bool in = names[i] == "in" && i + 1 < names.size() && IsUnit(names[i + 1]);
     if (rest.empty() || !(in || IsUnit(names[i])))
     {
       rest.push_back(names[i]);
+      continue;
     }
+    const std::string unit = LengthUnit(names[i]);
+    if (!unit.empty() && !length.empty() && unit != length)
+    {
+      return names;
+    }
+    length = unit.empty() ? length : unit;
   }
   return rest;
 }
@@ -246,6 +273,11 @@ Names JoinTwoWords(const Names& names)
   return joined;
 }
 
+Names SplitWords(std::string_view line)
+{
+  return Split(WithoutLabelWord(WithoutLabel(WithoutSigns(line))), Between::Anything);
+}
+
 /// Collects the readings of one line.
 class Readings
 {
@@ -259,13 +291,8 @@ public:
   // Reads names in all ways that words may belong together.
   void Try(const Names& names)
   {
-    const Names labelled = WithoutLabel(names);
     this->TryUnits(names);
-    if (labelled.size() != names.size())
-    {
-      this->TryUnits(labelled);
-    }
-    if (const auto numbered = TakeNumbers(labelled))
+    if (const auto numbered = TakeNumbers(names))
     {
       if (const Names placed = InPlace(*numbered, this->Count); !placed.empty())
       {
@@ -273,6 +300,8 @@ public:
       }
     }
   }
+
+  bool Fit() const { return this->Found.What == NamesFit::Fits; }
 
   NamesFit Result() const
   {
@@ -289,16 +318,12 @@ public:
   }
 
 private:
+  // What may be one name of two words is not read as two names, too.
   void TryUnits(const Names& names)
   {
-    this->Add(WithoutColons(names));
-    this->AddShorter(WithoutUnits(names), names);
     const Names joined = JoinTwoWords(names);
-    if (joined.size() != names.size())
-    {
-      this->Add(joined);
-      this->AddShorter(WithoutUnits(joined), joined);
-    }
+    this->Add(WithoutColons(joined));
+    this->AddShorter(WithoutUnits(joined), joined);
   }
 
   void AddShorter(const Names& shorter, const Names& names)
@@ -348,12 +373,43 @@ private:
 //------------------------------------------------------------------------------
 std::vector<std::string_view> NameWords(std::string_view line)
 {
-  Names words = WithoutLabel(Split(WithoutSigns(line), Between::Anything));
+  Names words = SplitWords(line);
   if (const auto numbered = TakeNumbers(words))
   {
     words = numbered->Of;
   }
   return WithoutColons(WithoutUnits(words));
+}
+
+//------------------------------------------------------------------------------
+bool NamesSomeOfSphere(const std::vector<std::string_view>& words, std::size_t count)
+{
+  std::array<bool, 4> named{};
+  bool others = false;
+  bool numbered = false;
+  for (std::string_view word : words)
+  {
+    const bool hasNumber = LeadingNumber(word, word).has_value();
+    const NameMeaning meaning = MeaningOfName(word);
+    const bool axis = meaning.What == NameMeaning::Coordinate;
+    const bool size = meaning.What == NameMeaning::Radius || meaning.What == NameMeaning::Diameter;
+    // What gives values, such as "box x 10 y 10", names no columns.
+    if (word == "=" || (!hasNumber && !word.empty() && word[0] >= '0' && word[0] <= '9'))
+    {
+      return false;
+    }
+    named[axis ? meaning.Axis : 3] |= axis || size;
+    others |= !axis && !size;
+    numbered |= hasNumber;
+  }
+  const auto names = std::count(named.begin(), named.end(), true);
+  return names >= (count > 4 || !others ? 2 : 3) || (numbered && names > 0);
+}
+
+//------------------------------------------------------------------------------
+bool AreNumbered(std::string_view line)
+{
+  return TakeNumbers(SplitWords(line)).has_value();
 }
 
 //------------------------------------------------------------------------------
@@ -367,16 +423,31 @@ std::vector<std::string_view> WithoutNumbers(const std::vector<std::string_view>
 //------------------------------------------------------------------------------
 NamesFit FitNames(std::string_view line, std::size_t count, Radii radii)
 {
-  line = WithoutSigns(line);
+  line = WithoutLabel(WithoutSigns(line));
+  std::vector<std::string_view> lines{ line };
+  if (const std::string_view rest = WithoutLabelWord(line); rest != line)
+  {
+    lines.push_back(rest);
+  }
+  // Commas, tabs and wide gaps say more than single blanks, which may be within names.
   Readings readings(count, radii);
   for (const Between between :
-    { Between::Anything, Between::Commas, Between::Tabs, Between::WideGaps })
+    { Between::Commas, Between::Tabs, Between::WideGaps, Between::Anything })
   {
-    readings.Try(Split(line, between));
+    if (between == Between::Anything && readings.Fit())
+    {
+      break;
+    }
+    for (const std::string_view names : lines)
+    {
+      readings.Try(Split(names, between));
+    }
   }
   NamesFit fit = readings.Result();
   std::string complaint;
-  if (fit.What == NamesFit::NoNames && ColumnsFromNames(NameWords(line), complaint))
+  if (fit.What == NamesFit::NoNames &&
+    (ColumnsFromNames(NameWords(line), complaint) ||
+      NamesSomeOfSphere(WithoutUnits(SplitWords(line)), count)))
   {
     fit.What = NamesFit::Unclear;
     fit.Complaint = complaint;

@@ -31,6 +31,14 @@ struct NamesFit
  */
 std::vector<std::string_view> NameWords(std::string_view line);
 
+/// Whether words name enough of x, y, z and radius that they seem to be names of some of `count`
+/// columns: three, or two if there are no other words or if the order of the columns may be any, or
+/// one if the columns have numbers.
+bool NamesSomeOfSphere(const std::vector<std::string_view>& words, std::size_t count);
+
+/// Whether all words of `line` have the number of a column before them.
+bool AreNumbered(std::string_view line);
+
 /// The names without the numbers of their columns before them, "1:x", if all have one and in a way
 /// that puts each in a column.
 std::vector<std::string_view> WithoutNumbers(const std::vector<std::string_view>& names);

@@ -41,23 +41,6 @@ std::string PlainWords(std::string_view text)
   return plain;
 }
 
-// A unit of length in one spelling, or nothing.
-std::string LengthUnit(std::string_view word)
-{
-  static const std::map<std::string, std::string> units{ { "m", "m" }, { "meter", "m" },
-    { "metre", "m" }, { "meters", "m" }, { "metres", "m" }, { "dm", "dm" }, { "cm", "cm" },
-    { "mm", "mm" }, { "um", "um" }, { "\xC2\xB5m", "um" }, { "\xCE\xBCm", "um" },
-    { "micron", "um" }, { "microns", "um" }, { "nm", "nm" }, { "pm", "pm" }, { "km", "km" },
-    { "\xC3\xA5", "A" }, { "\xC3\x85", "A" }, { "\xE2\x84\xAB", "A" }, { "angstrom", "A" },
-    { "angstroms", "A" }, { "inch", "inch" }, { "inches", "inch" }, { "ft", "ft" }, { "px", "px" },
-    { "pixel", "px" }, { "pixels", "px" }, { "vox", "voxel" }, { "voxel", "voxel" },
-    { "voxels", "voxel" } };
-  std::string lower(word);
-  std::transform(lower.begin(), lower.end(), lower.begin(), Lower);
-  const auto found = units.find(lower);
-  return found == units.end() ? std::string() : found->second;
-}
-
 // Takes the unit off the end of a name: "[mm]", "(mm)", or "_mm".
 std::string_view TakeUnit(std::string_view name, NameMeaning& meaning)
 {
@@ -156,6 +139,23 @@ void FindSize(const std::string& plain, NameMeaning& meaning)
 }
 
 //------------------------------------------------------------------------------
+std::string LengthUnit(std::string_view word)
+{
+  static const std::map<std::string, std::string> units{ { "m", "m" }, { "meter", "m" },
+    { "metre", "m" }, { "meters", "m" }, { "metres", "m" }, { "dm", "dm" }, { "cm", "cm" },
+    { "mm", "mm" }, { "um", "um" }, { "\xC2\xB5m", "um" }, { "\xCE\xBCm", "um" },
+    { "micron", "um" }, { "microns", "um" }, { "nm", "nm" }, { "pm", "pm" }, { "km", "km" },
+    { "\xC3\xA5", "A" }, { "\xC3\x85", "A" }, { "\xE2\x84\xAB", "A" }, { "angstrom", "A" },
+    { "angstroms", "A" }, { "inch", "inch" }, { "inches", "inch" }, { "ft", "ft" }, { "px", "px" },
+    { "pixel", "px" }, { "pixels", "px" }, { "vox", "voxel" }, { "voxel", "voxel" },
+    { "voxels", "voxel" } };
+  std::string lower(word);
+  std::transform(lower.begin(), lower.end(), lower.begin(), Lower);
+  const auto found = units.find(lower);
+  return found == units.end() ? std::string() : found->second;
+}
+
+//------------------------------------------------------------------------------
 NameMeaning MeaningOfName(std::string_view name)
 {
   static const std::map<std::string, NameMeaning::Kind> others{ { "g", NameMeaning::Green },
@@ -190,8 +190,8 @@ NameMeaning MeaningOfName(std::string_view name)
 //------------------------------------------------------------------------------
 bool IsUnit(std::string_view word)
 {
-  static const Words others{ "kg", "g", "s", "ms", "N", "Pa", "kPa", "MPa", "GPa", "J", "K", "deg",
-    "1", "-" };
+  // None of a letter but m: g may be green and n a number.
+  static const Words others{ "kg", "Pa", "kPa", "MPa", "GPa", "deg" };
   return !LengthUnit(word).empty() || others.count(word) > 0 ||
     word.find_first_of("/^") != word.npos;
 }

@@ -36,6 +36,9 @@ constexpr const char* PlainFamily = "*";
 
 NameMeaning MeaningOfName(std::string_view name);
 
+/// The unit of length that a word is, in one spelling, or nothing.
+std::string LengthUnit(std::string_view word);
+
 /// Whether a word is a unit, such as mm or kg/m^3.
 bool IsUnit(std::string_view word);
 

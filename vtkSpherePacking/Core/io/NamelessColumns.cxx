@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/NamelessColumns.h"
 
+#include "io/Number.h"
 #include "io/PackingFileError.h"
 #include "io/Separators.h"
 #include "io/TextChunks.h"
@@ -143,7 +144,8 @@ std::vector<Column> NamelessColumns(
 //------------------------------------------------------------------------------
 void CheckFirstColumn(const TextRange& text, const TableLayout& layout)
 {
-  if (layout.Columns.size() <= 4 || layout.Columns[0].Role != ColumnRole::X)
+  if (layout.Named == Naming::All || layout.Columns.size() <= 4 ||
+    layout.Columns[0].Role != ColumnRole::X)
   {
     return;
   }
@@ -177,7 +179,8 @@ void CheckFirstColumn(const TextRange& text, const TableLayout& layout)
     return;
   }
   std::sort(values.begin(), values.end());
-  const bool distinct = std::adjacent_find(values.begin(), values.end()) == values.end();
+  const bool distinct = layout.Named == Naming::None &&
+    std::adjacent_find(values.begin(), values.end()) == values.end();
   if (distinct || pointBeside)
   {
     throw LineError(first.FirstLine,
@@ -189,61 +192,77 @@ void CheckFirstColumn(const TextRange& text, const TableLayout& layout)
 
 namespace
 {
+struct Bounds
+{
+  double Low[3];
+  double High[3];
+};
+
+// The boxes that numbers after a count may give: three lengths, from a corner or around the middle,
+// or six bounds in either order.
+std::vector<Bounds> BoxesOf(const std::vector<double>& v)
+{
+  if (v.size() == 3)
+  {
+    return { { { 0, 0, 0 }, { v[0], v[1], v[2] } },
+      { { -v[0] / 2, -v[1] / 2, -v[2] / 2 }, { v[0] / 2, v[1] / 2, v[2] / 2 } } };
+  }
+  if (v.size() == 6)
+  {
+    return { { { v[0], v[2], v[4] }, { v[1], v[3], v[5] } },
+      { { v[0], v[1], v[2] }, { v[3], v[4], v[5] } } };
+  }
+  return {};
+}
+
 template <typename Real>
-bool LieInBox(const PackingArrays& arrays)
+bool LieInBox(const PackingArrays& arrays, const Bounds& box)
 {
   const Real* const centers = arrays.Centers<Real>();
-  const Real* const radii = arrays.Radii<Real>();
-  const Real box[3] = { centers[1], centers[2], radii[0] };
-  bool corner = true;
-  bool middle = true;
-  for (vtkIdType i = 1; i < arrays.GetCount() && (corner || middle); ++i)
+  for (vtkIdType i = 1; i < arrays.GetCount(); ++i)
   {
     for (int axis = 0; axis < 3; ++axis)
     {
-      const Real at = centers[3 * i + axis];
-      corner &= at >= 0 && at <= box[axis];
-      middle &= 2 * at >= -box[axis] && 2 * at <= box[axis];
+      const double at = centers[3 * i + axis];
+      if (at < box.Low[axis] || at > box.High[axis])
+      {
+        return false;
+      }
     }
   }
-  return corner || middle;
+  return true;
 }
 }
 
 //------------------------------------------------------------------------------
-void CheckFirstRow(const TextRange& text, const TableLayout& layout, const PackingArrays& arrays)
+void CheckFirstRow(const TextRange& text, const PackingArrays& arrays)
 {
-  const std::size_t columns = layout.Columns.size();
-  if (arrays.GetCount() < 2 || columns < 4 || layout.Columns[0].Role != ColumnRole::X)
-  {
-    return;
-  }
-  const auto firstField = [&](const TextRange& row)
-  { return std::string_view(row.Begin, layout.Between.FieldEnd(row.Begin) - row.Begin); };
-  const std::string count = std::to_string(arrays.GetCount() - 1);
-  TextRange first{ nullptr, nullptr, 0 };
-  bool othersWhole = false;
+  TextRange row{ nullptr, nullptr, 0 };
   ForRows(text,
-    [&](const TextRange& row)
+    [&](const TextRange& first)
     {
-      if (first.Begin)
-      {
-        othersWhole |= IsWhole(firstField(row));
-        return !othersWhole;
-      }
-      first = row;
-      return firstField(row) == count && columns > 4;
+      row = first;
+      return false;
     });
-  if (firstField(first) != count)
+  const Fields fields = Separators::Liberal().Split(row.Begin);
+  const std::string count = std::to_string(arrays.GetCount() - 1);
+  if (arrays.GetCount() < 2 || fields[0] != count || fields.size() > 7)
   {
     return;
   }
-  const bool box = arrays.IsSingle() ? LieInBox<float>(arrays) : LieInBox<double>(arrays);
-  if (columns == 4 ? box : !othersWhole)
+  std::vector<double> numbers(fields.size() - 1);
+  for (std::size_t i = 1; i < fields.size(); ++i)
   {
-    throw LineError(first.FirstLine,
-      "found " + Quote(first.Begin, first.End) + ", which seems to be the number of the " + count +
-        " rows that follow and their box, expected rows of spheres alone, or # before it");
+    ParseNumber(fields[i].data(), fields[i].data() + fields[i].size(), numbers[i - 1]);
+  }
+  for (const Bounds& box : BoxesOf(numbers))
+  {
+    if (arrays.IsSingle() ? LieInBox<float>(arrays, box) : LieInBox<double>(arrays, box))
+    {
+      throw LineError(row.FirstLine,
+        "found " + Quote(row.Begin, row.End) + ", which seems to be the number of the " + count +
+          " rows that follow and their box, expected rows of spheres alone, or # before it");
+    }
   }
 }
 }

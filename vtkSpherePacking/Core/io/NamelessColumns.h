@@ -23,15 +23,15 @@ std::vector<Column> NamelessColumns(
   Format format, const TextRange& text, const TextRange& row, Radii radii);
 
 /**
- * Throws if the first column holds ids or kinds rather than x: if there are more than four columns,
- * and in the first only whole numbers without a sign or point, no two of them the same, or beside y
- * and z that are written with a point. Nobody else writes all x so.
+ * Throws if the first of more than four columns may hold ids or kinds rather than x, unless all are
+ * named: if it has only whole numbers without sign and point, beside y or z with a point somewhere,
+ * or, where nobody says that x comes first, no two of them the same.
  */
 void CheckFirstColumn(const TextRange& text, const TableLayout& layout);
 
-/// Throws if the first row holds the number of the others and their box: with four columns they lie
-/// in it; with more none of them begins with a whole number, too.
-void CheckFirstRow(const TextRange& text, const TableLayout& layout, const PackingArrays& arrays);
+/// Throws if the first row holds the number of the others and three lengths or six bounds of a box
+/// that they lie in.
+void CheckFirstRow(const TextRange& text, const PackingArrays& arrays);
 }
 
 #endif

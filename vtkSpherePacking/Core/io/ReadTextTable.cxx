@@ -24,10 +24,10 @@ PackingArrays ParseTextTable(
   const auto chunks = CutIntoChunks(text, layout.Rows, options.ChunkSize, 0, progress);
   progress.SetRange(0.3, 1.0);
   PackingArrays arrays = ParseTable(bytes.End(), layout, chunks, options.Single, progress);
-  if (layout.IsNameless)
+  CheckFirstColumn(text, layout);
+  if (layout.Named == Naming::None)
   {
-    CheckFirstColumn(text, layout);
-    CheckFirstRow(text, layout, arrays);
+    CheckFirstRow(text, arrays);
   }
   if (layout.Cell)
   {

@@ -234,8 +234,17 @@ private:
   const char* StoreText(const char* p, int column, vtkIdType row) const
   {
     const char* const end = this->SkipField(p);
-    this->Extras.Texts[column][row] =
-      PrintableText(this->Between.Unquote({ p, std::size_t(end - p) }));
+    const std::string_view field(p, end - p);
+    const std::string_view plain = this->Between.Unquote(field);
+    std::string& text = this->Extras.Texts[column][row];
+    text = PrintableText(plain);
+    if (plain.size() != field.size())
+    {
+      for (std::size_t at = text.find("\"\""); at != text.npos; at = text.find("\"\"", at + 1))
+      {
+        text.erase(at, 1);
+      }
+    }
     return end;
   }
 

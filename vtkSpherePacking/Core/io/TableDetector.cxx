@@ -101,11 +101,8 @@ private:
   void DetectPlain()
   {
     const TextRange& row = this->Head.Row;
-    std::string complaint;
     const Fields fields = this->Layout.Between.Split(row.Begin);
-    if (ColumnsFromNames(fields, complaint, Radii::Optional) ||
-      ColumnsFromNames(NameWords(View(row)), complaint, Radii::Optional) ||
-      FitNames(View(row), fields.size(), Radii::Optional).What == NamesFit::Fits)
+    if (this->IsHeader(fields))
     {
       this->SkipHeader();
       this->TakePlainHeader();
@@ -129,6 +126,27 @@ private:
   {
     const TextRange& row = this->Head.Row;
     this->Text = { SkipLineEnd(row.End, this->Text.End), this->Text.End, row.FirstLine + 1 };
+  }
+
+  // Whether the first row names coordinates, by itself or over as many columns as the next row has.
+  bool IsHeader(const Fields& fields) const
+  {
+    const std::string_view line = View(this->Head.Row);
+    std::string complaint;
+    if (ColumnsFromNames(fields, complaint, Radii::Optional) ||
+      ColumnsFromNames(NameWords(line), complaint, Radii::Optional))
+    {
+      return true;
+    }
+    if (std::any_of(fields.begin(), fields.end(), IsNumber))
+    {
+      return false;
+    }
+    const TextRange next =
+      FindRow({ SkipLineEnd(this->Head.Row.End, this->Text.End), this->Text.End });
+    return next.Begin &&
+      FitNames(line, this->Layout.Between.Split(next.Begin).size(), Radii::Optional).What ==
+      NamesFit::Fits;
   }
 
   // A header whose names are the fields between delimiters.
@@ -180,6 +198,11 @@ private:
       const bool tabbed = names.size() > 3 && names.size() == tabs.Split(row.Begin).size() &&
         std::none_of(names.begin(), names.end(), [](auto name) { return name.empty(); });
       this->Layout.Between = tabbed ? tabs : this->Layout.Between;
+      if (fit.What == NamesFit::Unclear && !tabbed &&
+        this->Layout.Between.Split(header.Begin).size() == count)
+      {
+        this->ThrowUnclear(header, count);
+      }
       this->TakeStrictHeader();
     }
     MarkTextColumns(this->Layout, row.Begin);
@@ -239,53 +262,58 @@ private:
     }
     if (fit.What == NamesFit::NoNames)
     {
-      this->Layout.IsNameless = true;
+      this->Layout.Named = Naming::None;
       return false;
     }
-    if (this->FirstFourAreNamed(fit.Line, count))
+    if (!fit.OneEach && this->FirstFourAreNamed(fit.Line, count))
     {
+      this->Layout.Named = Naming::FirstFour;
       return false;
     }
     if (!fit.Complaint.empty())
     {
       throw LineError(fit.Line.FirstLine, fit.Complaint + ", or " + ColumnsHint);
     }
-    throw LineError(fit.Line.FirstLine,
-      "found the names " + QuoteLine(fit.Line) + " over rows of " + std::to_string(count) +
+    this->ThrowUnclear(fit.Line, count);
+  }
+
+  [[noreturn]] void ThrowUnclear(const TextRange& line, std::size_t count) const
+  {
+    throw LineError(line.FirstLine,
+      "found the names " + QuoteLine(line) + " over rows of " + std::to_string(count) +
         " columns, expected a name for each column, or " + ColumnsHint);
   }
 
   // Whether a comment that does not name all columns, and only them, still says that the first four
-  // are x, y, z and radius. With words before these, the rows must have four columns and no ids.
+  // are x, y, z and radius. With words before or between these, or without the radius, the rows
+  // must have four columns and begin with no id.
   bool FirstFourAreNamed(const TextRange& line, std::size_t count) const
   {
+    const Fields words = NameWords(View(line));
     std::string complaint;
-    const auto columns = ColumnsFromNames(NameWords(View(line)), complaint);
-    if (!columns)
+    const auto columns = ColumnsFromNames(words, complaint, Radii::Optional);
+    const auto roles = columns ? *columns : std::vector<Column>();
+    std::vector<std::size_t> sphere; // where its words are
+    for (std::size_t i = 0; i < roles.size(); ++i)
     {
-      return false;
+      if (roles[i].Role <= ColumnRole::Diameter)
+      {
+        sphere.push_back(i);
+      }
     }
-    const auto first = std::find_if(columns->begin(), columns->end(),
-      [](const Column& column) { return column.Role <= ColumnRole::Diameter; });
-    int next = 0;
-    bool adjacent = true;
-    for (auto column = first; column != columns->end() && next < 4; ++column)
+    for (std::size_t i = 0; i < sphere.size(); ++i)
     {
-      adjacent &= column->Role == static_cast<ColumnRole>(next);
-      if (column->Role <= ColumnRole::Diameter && column->Role != static_cast<ColumnRole>(next++))
+      if (roles[sphere[i]].Role != static_cast<ColumnRole>(i))
       {
         return false;
       }
     }
-    if (next < 4)
-    {
-      return false;
-    }
-    if (first == columns->begin())
-    {
-      return adjacent || count == 4;
-    }
-    return count == 4 && !this->MayBeIds((first - 1)->Name);
+    const bool noRadius = sphere.size() == 3 &&
+      (sphere.size() == words.size() || ColumnsFromNames(words, complaint)); // r may be red
+    const bool atOnce = sphere.size() == 4 && sphere[3] == 3;
+    const bool begins = !sphere.empty() && sphere[0] == 0;
+    return !AreNumbered(View(line)) && sphere.size() >= 3 && !noRadius &&
+      (atOnce || (count == 4 && (begins || !this->MayBeIds(roles[sphere[0] - 1].Name))));
   }
 
   // Whether the name before x, or the first field of the first row, is that of an id.

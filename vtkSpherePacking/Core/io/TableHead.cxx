@@ -30,8 +30,10 @@ std::string_view Trim(std::string_view text)
 struct OneName
 {
   std::string_view Name;
+  vtkIdType Line;
   std::optional<std::size_t> Number;
   bool NamesSphere = false;
+  bool IsWord = false; ///< one word alone, but for a unit or an explanation after a colon
 };
 
 // "2" and ": y [mm]" of "column 2: y [mm]".
@@ -46,13 +48,15 @@ std::optional<std::size_t> TakeNumber(std::string_view& text)
     }
   }
   std::size_t number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  const std::size_t bracket = !text.empty() && (text[0] == '[' || text[0] == '(') ? 1 : 0;
+  const auto [end, error] =
+    std::from_chars(text.data() + bracket, text.data() + text.size(), number);
   if (error != std::errc())
   {
     return std::nullopt;
   }
   text = Trim(text.substr(end - text.data()));
-  if (!text.empty() && std::string_view(":.)=-").find(text.front()) != std::string_view::npos)
+  if (!text.empty() && std::string_view(":.)]=-").find(text.front()) != std::string_view::npos)
   {
     text = Trim(text.substr(1));
   }
@@ -72,15 +76,16 @@ OneName ReadOneName(const TextRange& comment)
   std::string_view text = View(comment);
   text = Trim(text.substr(std::min(text.find_first_not_of('#'), text.size())));
   OneName one;
+  one.Line = comment.FirstLine;
   one.Number = TakeNumber(text);
   one.Name = text;
   if (text.find('=') != text.npos)
   {
     return one; // "r = 0.5" gives a value, not a name
   }
-  const std::size_t mark = std::min(text.find_first_of(":,;-"), text.size());
+  const std::size_t mark = std::min({ text.find_first_of(":,;"), text.find(" - "), text.size() });
   const std::size_t word = std::min(text.find_first_of(" \t:,;"), text.size());
-  for (const std::size_t length : { text.size(), mark, word })
+  for (const std::size_t length : { mark, text.size(), word })
   {
     const std::string_view name = Trim(text.substr(0, length));
     const bool value = text.substr(length).find_first_of("0123456789") != text.npos;
@@ -91,6 +96,10 @@ OneName ReadOneName(const TextRange& comment)
       break;
     }
   }
+  const std::string_view name = Trim(text.substr(0, std::min(mark, text.find_first_of("(["))));
+  const bool value = text.substr(mark).find_first_of("0123456789") != text.npos;
+  one.IsWord =
+    one.NamesSphere || (!name.empty() && !value && name.find_first_of(Blanks) == name.npos);
   return one;
 }
 
@@ -132,7 +141,9 @@ NamesFit FitNumberedLines(const std::vector<OneName>& lines, std::size_t count, 
       ++last;
     }
     NamesFit fit = FitLines(lines, first, last - first, radii);
-    if (fit.What != NamesFit::NoNames)
+    const auto namesSphere = [](const OneName& line) { return line.NamesSphere; };
+    if (fit.What != NamesFit::NoNames ||
+      (last - first > 1 && std::any_of(lines.begin() + first, lines.begin() + last, namesSphere)))
     {
       fit.What = last - first == count ? fit.What : NamesFit::Unclear;
       return fit;
@@ -142,43 +153,40 @@ NamesFit FitNumberedLines(const std::vector<OneName>& lines, std::size_t count, 
   return {};
 }
 
-// As many comments as columns, one name each, all of a sphere among them. There must be only one
-// place for them among the comments.
+// As many comments in turn as there are columns, each of a word, with all of the sphere among them.
 NamesFit FitPlainLines(const std::vector<OneName>& lines, std::size_t count, Radii radii)
 {
-  std::array<int, 3> axes{};
-  int sizes = 0;
-  std::size_t first = lines.size();
-  std::size_t last = 0;
-  for (std::size_t i = 0; i < lines.size(); ++i)
-  {
-    if (lines[i].NamesSphere)
-    {
-      const NameMeaning meaning = MeaningOfName(lines[i].Name);
-      const bool axis = meaning.What == NameMeaning::Coordinate;
-      ++(axis ? axes[meaning.Axis] : sizes);
-      first = std::min(first, i);
-      last = i;
-    }
-  }
-  const bool all = axes[0] == 1 && axes[1] == 1 && axes[2] == 1;
-  if (!all || (sizes == 0 && radii == Radii::Required))
-  {
-    return {};
-  }
   NamesFit fit;
-  if (sizes <= 1 && count <= lines.size() && last - first < count)
+  std::vector<std::string_view> names; // of the sphere, in all lines
+  std::size_t fitting = 0;
+  for (std::size_t first = 0, last = 0; first < lines.size(); first = last)
   {
-    const std::size_t earliest = last + 1 > count ? last + 1 - count : 0;
-    const std::size_t latest = std::min(first, lines.size() - count);
-    if (earliest == latest)
+    std::size_t here = 0;
+    for (last = first; last < lines.size() && lines[last].IsWord == lines[first].IsWord &&
+      (last == first || lines[last].Line == lines[last - 1].Line + 1);
+      ++last)
     {
-      fit = FitLines(lines, earliest, count, radii);
+      if (lines[last].NamesSphere)
+      {
+        names.push_back(lines[last].Name);
+        ++here;
+      }
+    }
+    if (here > 0 && last - first == count)
+    {
+      fit = FitLines(lines, first, count, radii);
+      fitting = here;
     }
   }
-  fit.What = fit.What == NamesFit::Fits ? fit.What : NamesFit::Unclear;
+  if (fit.What == NamesFit::Fits && fitting == names.size())
+  {
+    return fit;
+  }
+  fit = {};
+  fit.What = NamesSomeOfSphere(names, count) ? NamesFit::Unclear : NamesFit::NoNames;
   return fit;
 }
+
 // Lines that YADE writes: "#format x_y_z_r" before exported spheres, and "##PERIODIC:: a b c", the
 // edges of the cell, before packings of x y z r, in some with the number of a clump
 // (V. Smilauer et al., "Yade Documentation", 2021).
@@ -240,12 +248,29 @@ TableHead FindHead(const TextRange& text)
 }
 
 //------------------------------------------------------------------------------
+TextRange FindRow(const TextRange& text)
+{
+  LineFinder find(text.End);
+  vtkIdType number = text.FirstLine;
+  for (const char* p = text.Begin; p != text.End; ++number)
+  {
+    const char* const end = find(p);
+    if (IsRow(RowKind::Data, p, end))
+    {
+      return { SkipBlanks(p, end), end, number };
+    }
+    p = SkipLineEnd(end, text.End);
+  }
+  return { nullptr, nullptr, 0 };
+}
+
+//------------------------------------------------------------------------------
 CommentFit FitComments(const TableHead& head, std::size_t count, Radii radii)
 {
   CommentFit unclear;
   for (auto comment = head.Comments.rbegin(); comment != head.Comments.rend(); ++comment)
   {
-    CommentFit fit{ FitNames(View(*comment), count, radii), *comment };
+    CommentFit fit{ FitNames(View(*comment), count, radii), *comment, false };
     if (fit.What == NamesFit::Fits)
     {
       return fit;
@@ -266,7 +291,7 @@ CommentFit FitComments(const TableHead& head, std::size_t count, Radii radii)
     if (fit.What == NamesFit::Fits ||
       (fit.What == NamesFit::Unclear && unclear.What == NamesFit::NoNames))
     {
-      return { std::move(fit), head.Comments.front() };
+      return { std::move(fit), head.Comments.front(), true };
     }
   }
   return unclear;

@@ -24,6 +24,9 @@ struct TableHead
 /// Throws if `text` has no line but comments.
 TableHead FindHead(const TextRange& text);
 
+/// The first line that is no comment, or one that begins nowhere.
+TextRange FindRow(const TextRange& text);
+
 inline std::string_view View(const TextRange& line)
 {
   return std::string_view(line.Begin, line.End - line.Begin);
@@ -33,6 +36,7 @@ inline std::string_view View(const TextRange& line)
 struct CommentFit : NamesFit
 {
   TextRange Line{ nullptr, nullptr, 0 };
+  bool OneEach = false; ///< a comment for each column
 };
 
 /**

@@ -14,15 +14,23 @@
 
 namespace spherepacking
 {
+/// Which columns of a table somebody has named.
+enum class Naming : unsigned char
+{
+  All,
+  FirstFour, ///< x, y, z and radius, but not all others
+  None
+};
+
 /// How to read the rows of a table.
 struct TableLayout
 {
   std::vector<Column> Columns;
   Separators Between = Separators::Liberal();
   RowKind Rows = RowKind::Data;
-  std::optional<SimulationCell> Box;  ///< if the coordinates are scaled, that is fractions of it
-  std::string Expected;               ///< describes the columns, for messages
-  bool IsNameless = false;            ///< whether nobody has named the columns
+  std::optional<SimulationCell> Box; ///< if the coordinates are scaled, that is fractions of it
+  std::string Expected;              ///< describes the columns, for messages
+  Naming Named = Naming::All;
   std::optional<SimulationCell> Cell; ///< that of the packing, where the header gives one
 };
 

@@ -213,7 +213,10 @@ std::optional<TableLayout> TableParser::LayoutWithText() const
   {
     if (this->Extras->IsText[i])
     {
-      layout = layout ? layout : this->Rows;
+      if (!layout)
+      {
+        layout = this->Rows;
+      }
       layout->Columns[i].Role = ColumnRole::Text;
     }
   }
