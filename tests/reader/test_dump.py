@@ -359,3 +359,14 @@ def test_rows_too_short_for_the_file_to_hold_their_columns(read_error, tmp_path)
     (tmp_path / "p.dump").write_text(step(0, f"x y z radius {names}", rows))
     message, _ = read_error(tmp_path / "p.dump")
     assert "line 11: found 3 columns '1 2 3', expected 104 columns" in message
+
+
+def test_a_dump_in_yaml(read_error, tmp_path):
+    path = tmp_path / "dump.yaml"
+    path.write_text("---\ncreator: LAMMPS\ntimestep: 0\n")
+    message, code = read_error(path)
+    assert message == (
+        f"{path}, line 1: found a dump of LAMMPS in YAML, "
+        "expected one in text, as dump custom writes"
+    )
+    assert code == FORMAT
