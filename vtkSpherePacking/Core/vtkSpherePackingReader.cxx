@@ -23,7 +23,7 @@ using namespace spherepacking;
 
 static_assert(vtkSpherePackingReader::AUTO == static_cast<int>(Format::Auto) &&
     vtkSpherePackingReader::XYZD == static_cast<int>(Format::Xyzd) &&
-    vtkSpherePackingReader::MERCURY == static_cast<int>(Format::Mercury),
+    vtkSpherePackingReader::ESYS_SNAPSHOT == static_cast<int>(Format::EsysSnapshot),
   "Format and FileFormats must have the same values");
 
 class vtkSpherePackingReader::Internals
@@ -159,6 +159,9 @@ void vtkSpherePackingReader::ReadFile(vtkInformation* outInfo, vtkPolyData* outp
       break;
     case Format::LammpsData:
       ReadLammpsData(file, options, progress).MoveTo(output);
+      break;
+    case Format::EsysSnapshot:
+      ReadEsysSnapshot(file, options, progress).MoveTo(output);
       break;
     case Format::Dump:
       readStep(ReadDump);

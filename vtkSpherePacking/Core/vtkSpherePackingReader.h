@@ -21,6 +21,7 @@
  * | LAMMPS_DATA | .data, any other             | input of read_data, atom_style sphere, granular  |
  * | XYZ         | .xyz, .extxyz, any other     | frames of extended XYZ, Properties with a radius |
  * | MERCURY     | .data, any other             | .data of MercuryDPM, in three dimensions or two  |
+ * | ESYS_SNAPSHOT | .txt, any other            | header or part of an ESyS-Particle snapshot      |
  *
  * Text may have blanks, tabs, commas or semicolons between the columns, blank lines, comments that
  * begin with #, a UTF-8 byte order mark, and lines that end in LF, CR LF or CR. A header, by itself
@@ -84,7 +85,8 @@ public:
     SPHERE_TREE,
     LAMMPS_DATA,
     XYZ,
-    MERCURY
+    MERCURY,
+    ESYS_SNAPSHOT
   };
 
   ///@{
@@ -100,7 +102,7 @@ public:
    * The format of the file. Default AUTO: by its extension, or by its content where the extension
    * is not enough. Values outside of FileFormats are clamped.
    */
-  vtkSetClampMacro(Format, int, AUTO, MERCURY);
+  vtkSetClampMacro(Format, int, AUTO, ESYS_SNAPSHOT);
   vtkGetMacro(Format, int);
   ///@}
 

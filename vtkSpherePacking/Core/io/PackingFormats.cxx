@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/PackingFormats.h"
 
+#include "io/EsysSnapshot.h"
 #include "io/FileBytes.h"
 #include "io/LammpsDataFile.h"
 #include "io/LineCursor.h"
@@ -95,6 +96,7 @@ Format FormatOfProgram(const std::string& file, const char* begin, const char* e
   return BeginsAsXyz(begin, end, hasProperties) ? Format::Xyz
     : BeginsAsLammpsData(begin, end)            ? Format::LammpsData
     : BeginsAsMercury(begin, end)               ? Format::Mercury
+    : BeginsAsEsysSnapshot(begin, end)          ? Format::EsysSnapshot
                                                 : Format::Spheres;
 }
 }

@@ -25,7 +25,8 @@ enum class Format
   SphereTree,
   LammpsData,
   Xyz,
-  Mercury
+  Mercury,
+  EsysSnapshot
 };
 
 /// How to read a file.
@@ -53,6 +54,9 @@ PackingArrays ReadSphereTree(
 PackingArrays ReadXyzd(const std::string& file, const ReadOptions& options, Progress& progress);
 
 PackingArrays ReadLammpsData(
+  const std::string& file, const ReadOptions& options, Progress& progress);
+
+PackingArrays ReadEsysSnapshot(
   const std::string& file, const ReadOptions& options, Progress& progress);
 
 /// Reads one of the time steps that were found in the file, see io/TimeSteps.h.
