@@ -44,9 +44,9 @@ def test_particles_of_all_workers(read, tmp_path, chunk):
     assert packing["mass"].tolist() == [1, 1.5, 1]
     assert packing["velocity"].tolist() == [[3, 0, 0], [5, 0, 0], [-5, 0, 0]]
     assert packing["force"].tolist() == [[0, 0, 0], [0.25, 0, 0], [0, 0, 0]]
-    assert packing["initial"].tolist() == [[-1, 1, 2], [9.7, 3, 6], [-9.5, 0, 0]]
-    assert packing["shift"].tolist() == [[0, 0, 0], [-20, 0, 0], [20, 0, 0]]
-    assert "quatw" not in packing.point_data
+    assert packing["initial_position"].tolist() == [[-1, 1, 2], [9.7, 3, 6], [-9.5, 0, 0]]
+    assert packing["circular_shift"].tolist() == [[0, 0, 0], [-20, 0, 0], [20, 0, 0]]
+    assert "q0" not in packing.point_data
     assert packing.field_data["cell_vectors"].tolist() == [[20, 0, 0], [0, 20, 0], [0, 0, 22]]
     assert packing.field_data["cell_origin"].tolist() == [-10, -10, -10]
     assert packing.field_data["cell_periodic"].tolist() == [1, 0, 0]
@@ -61,7 +61,7 @@ def test_single_precision(read, tmp_path):
 def test_particles_that_rotate_and_a_worker_without_any(read, tmp_path):
     packing = read(write(tmp_path, first="0\n0\nTMIG 0\n", second=ROTATING))
     assert packing["radius"].tolist() == [0.6]
-    assert packing["quatw"].tolist() == [0.998425413]
+    assert packing["q0"].tolist() == [0.998425413]
     assert packing["angular_velocity"].tolist() == [[0.1, 0.2, 0.3]]
 
 
@@ -103,6 +103,7 @@ BAD_WORKERS = {
     "radius": (FIRST.replace(" 0.8 ", " -0.8 "), 3, "'-0.8' as radius", "not negative"),
     "nan": (FIRST.replace(" 0.8 ", " nan "), 3, "'nan' as radius", "finite"),
     "few columns": (FIRST.replace(" -20 0 0", ""), 3, "19 columns", "22 columns"),
+    "more": (FIRST.replace("2\n", "1\n", 1), 3, "'-9.55 3 6 0.8", "groups of bonds"),
     "cut": (FIRST[:100], 3, "the end of the file within the row", "line end"),
 }
 
@@ -114,6 +115,16 @@ def test_bad_particles(read_error, tmp_path, name):
     message, _ = read_error(path)
     assert message.startswith(f"{path.parent / 'run_t=250_1.txt'}, line {line}: found {found}")
     assert expected in message
+
+
+def test_particles_of_one_worker_alone(read_error, tmp_path):
+    write(tmp_path)
+    for text in (FIRST, ROTATING):
+        path = tmp_path / "run_t=250_1.txt"
+        path.write_text(text)
+        message, _ = read_error(path)
+        assert message.startswith(f"{path}, line 1: found the particles of one worker")
+        assert "NAME_0.txt" in message
 
 
 def test_words_among_the_numbers(read_error, tmp_path):

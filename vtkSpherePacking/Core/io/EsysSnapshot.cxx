@@ -2,6 +2,8 @@
 #include "io/EsysSnapshot.h"
 
 #include "io/LineCursor.h"
+#include "io/TableLayout.h"
+#include "io/XyzComment.h"
 
 #include "vtksys/SystemTools.hxx"
 
@@ -13,6 +15,19 @@ namespace spherepacking
 namespace
 {
 constexpr const char* FirstLine = "V 3, the version of a snapshot of ESyS-Particle";
+
+// Whether a text begins with a count and a particle, which may rotate or not.
+bool BeginsAsParticles(const TextRange& text)
+{
+  LineCursor lines(text);
+  if (!lines.Step() || !XyzCount(lines.Line()) || !lines.Step())
+  {
+    return false;
+  }
+  const auto fields = lines.Fields();
+  return (fields.size() == 22 || fields.size() == 29) &&
+    std::all_of(fields.begin(), fields.end(), [](auto field) { return IsNumber(field); });
+}
 
 double NextNumber(LineCursor& lines, const std::string& expected)
 {
@@ -70,6 +85,10 @@ SimulationCell NextCell(LineCursor& lines)
 //------------------------------------------------------------------------------
 bool BeginsAsEsysSnapshot(const char* begin, const char* end)
 {
+  if (BeginsAsParticles({ begin, end }))
+  {
+    return true;
+  }
   LineCursor lines({ begin, end });
   if (!lines.Step() || lines.Fields().size() != 2 || lines.Fields()[0] != "V")
   {
@@ -90,6 +109,12 @@ EsysSnapshot ParseEsysSnapshot(const TextRange& text)
 {
   LineCursor lines(text);
   lines.StepInto("the file", FirstLine);
+  if (BeginsAsParticles(text))
+  {
+    throw LineError(1,
+      "found the particles of one worker of ESyS-Particle, expected the first file of the "
+      "snapshot, NAME_0.txt, which names those of all workers");
+  }
   const auto version = lines.Fields();
   if (version.size() != 2 || version[0] != "V" || version[1] != "3")
   {

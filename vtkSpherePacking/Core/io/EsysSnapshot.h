@@ -24,7 +24,8 @@ struct EsysSnapshot
   vtkIdType FilesLine;
 };
 
-/// Whether a text begins as such a file does.
+/// Whether a text begins as such a file does, or as one of the files of particles, which by itself
+/// may hold a part of the particles only.
 bool BeginsAsEsysSnapshot(const char* begin, const char* end);
 
 /// Throws if it is none.

@@ -79,10 +79,23 @@ bool BeginsAsXyz(const char* begin, const char* end, const Accepts& accepts)
   return XyzCount(lines.Line()) && lines.Step() && accepts(lines.Line());
 }
 
+// Whether a text begins as LAMMPS's dump yaml.
+bool BeginsAsYamlDump(const char* begin, const char* end)
+{
+  LineCursor lines({ begin, end });
+  return lines.Step() && BeginsWith(lines.Line(), "---") && lines.Step() &&
+    BeginsWith(lines.Line(), "creator: LAMMPS");
+}
+
 // Detects the formats of simulation programs by lines that no table begins with.
 Format FormatOfProgram(const std::string& file, const char* begin, const char* end)
 {
   begin = SkipUtf8Mark(begin, end);
+  if (BeginsAsYamlDump(begin, end))
+  {
+    ThrowInFile(file,
+      LineError(1, "found a dump of LAMMPS in YAML, expected one in text, as dump custom writes"));
+  }
   using vtksys::SystemTools;
   const std::string extension = SystemTools::LowerCase(SystemTools::GetFilenameLastExtension(file));
   const bool isXyz = extension == ".xyz" || extension == ".extxyz" || extension == ".exyz";

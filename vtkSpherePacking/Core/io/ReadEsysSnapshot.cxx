@@ -89,9 +89,10 @@ TableLayout LayoutOf(std::size_t count)
   layout.Between = Separators::Blanks();
   layout.Columns = { { ColumnRole::X, "x" }, { ColumnRole::Y, "y" }, { ColumnRole::Z, "z" },
     { ColumnRole::Radius, "radius" } };
-  for (const char* name : { "id", "tag", "mass", "initial_x", "initial_y", "initial_z",
-         "previous_x", "previous_y", "previous_z", "vx", "vy", "vz", "fx", "fy", "fz", "shift_x",
-         "shift_y", "shift_z", "quatw", "quati", "quatj", "quatk", "omegax", "omegay", "omegaz" })
+  for (const char* name : { "id", "tag", "mass", "initial_position_x", "initial_position_y",
+         "initial_position_z", "old_position_x", "old_position_y", "old_position_z", "vx", "vy",
+         "vz", "fx", "fy", "fz", "circular_shift_x", "circular_shift_y", "circular_shift_z", "q0",
+         "q1", "q2", "q3", "wx", "wy", "wz" })
   {
     if (layout.Columns.size() < count)
     {
@@ -119,6 +120,11 @@ TextRange FindRows(LineCursor& lines, vtkIdType count)
   }
   CheckCount(count, Things, countLine, found);
   rows.End = lines.Rest().Begin;
+  if (lines.Step() && !lines.Fields().empty())
+  {
+    // Otherwise there are more particles than it says.
+    lines.Count("the number of groups of bonds after as many particles as line 1 says");
+  }
   return rows;
 }
 
