@@ -67,7 +67,15 @@ public:
   }
 
 private:
-  void Step(const std::string& expected) { this->Lines.StepInto("the step", expected); }
+  void Step(const std::string& expected)
+  {
+    this->Lines.StepInto("the step", expected);
+    if (this->Lines.EndsWithText())
+    {
+      throw LineError(this->Lines.Number(),
+        "found the end of the file within " + this->Lines.Quoted() + ", expected " + expected);
+    }
+  }
 
   // Whether a box is periodic along each axis: the title of most ends with flags such as pp, ff
   // or fs, a letter for each face, of which p is periodic.
