@@ -148,10 +148,11 @@ def test_what_formats_leave_out():
     packing = spherepacking.apollonian(1)
     assert left_out(packing, "a.csv") is None
     assert left_out(packing, "a.vtp") is None
+    assert left_out(packing, "a.dump") is None
     packing["element"] = ["C"] * packing.n_points
     packing["matId"] = np.zeros(packing.n_points)
     packing.field_data["cell_vectors"] = np.eye(3)
-    text = "holds numbers of each sphere alone: left out element, the cell"
+    text = "holds arrays of each sphere alone: left out the cell"
     assert left_out(packing, "/somewhere/a.csv") == f"a.csv {text}"
     text = "holds x y z r matId alone: left out level, element, the cell"
     assert left_out(packing, "a.txt") == f"a.txt {text}"

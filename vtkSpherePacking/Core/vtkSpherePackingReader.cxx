@@ -24,7 +24,7 @@ using namespace spherepacking;
 static_assert(vtkSpherePackingReader::AUTO == static_cast<int>(Format::Auto) &&
     vtkSpherePackingReader::XYZD == static_cast<int>(Format::Xyzd) &&
     vtkSpherePackingReader::SPHERE_TREE == static_cast<int>(Format::SphereTree) &&
-    vtkSpherePackingReader::PACKLSD == static_cast<int>(Format::PackLsd),
+    vtkSpherePackingReader::ESYS == static_cast<int>(Format::EsysSnapshot),
   "Format and FileFormats must have the same values");
 
 namespace
@@ -203,6 +203,9 @@ void vtkSpherePackingReader::ReadFile(vtkInformation* outInfo, vtkPolyData* outp
       break;
     case Format::PackLsd:
       ReadPackLsd(file, options, progress).MoveTo(output);
+      break;
+    case Format::EsysSnapshot:
+      ReadEsysSnapshot(file, options, progress).MoveTo(output);
       break;
     case Format::LammpsData:
       ReadLammpsData(file, options, progress).MoveTo(output);
