@@ -163,7 +163,9 @@ def _add(
         packing,
         **look.kwargs(),
         **material,
-        show_scalar_bar=options.scalar_bar and not traced and not means_colors(look.scalars or ""),
+        show_scalar_bar=options.scalar_bar
+        and not traced
+        and not means_colors(options.scalars or ""),
         scalar_bar_args=_SCALAR_BAR,
     )
     if options.technique in ("bvh", "grid"):
