@@ -241,7 +241,7 @@ def test_arguments_of_contacts(arguments, error, message):
 def test_too_many_contacts_are_an_error_and_no_crash():
     # 3e5 spheres in one place have 4.5e10 contacts. Not under the sanitizers, for which half of the
     # memory is too much.
-    with pytest.raises(ValueError, match="found more than .* contacts within 0, which do not fit"):
+    with pytest.raises(ValueError, match=r"found more than .* contacts within 0, which do not fit"):
         packing_of(np.zeros((300_000, 3))).packing.contacts()
 
 
