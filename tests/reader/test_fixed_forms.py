@@ -304,7 +304,9 @@ def test_charges_and_radii_in_the_columns_of_a_pdb_file(read_text, read_error, t
     assert read_text(PDB, "p.pdb", fmt="PQR")["radius"].tolist() == [9.5, 12.25]
 
 
-@pytest.mark.parametrize("first", ["Atom x y z r", "# remark\natom x y z r", "MODEL x y z r"])
+@pytest.mark.parametrize(
+    "first", ["Atom x y z r", "# remark\natom x y z r", "MODEL x y z r", "data_id x y z r"]
+)
 def test_names_of_columns_are_no_records(read_text, first):
     check(read_text(first + "\n1 2 3 4 5\n", "p.txt"), [(2, 3, 4, 5)])
 
