@@ -65,7 +65,10 @@ public:
   PackingArrays Parse(bool single, Progress& progress) const
   {
     PackingArrays arrays = ParseSpheres(this->Spheres, SphereSize::Radius, single, progress);
-    std::copy(this->Occupancies.begin(), this->Occupancies.end(), arrays.AddExtra("occupancy"));
+    if (this->HasOccupancy)
+    {
+      std::copy(this->Occupancies.begin(), this->Occupancies.end(), arrays.AddExtra("occupancy"));
+    }
     AddIntegers(arrays, "level", this->Levels);
     AddIntegers(arrays, "parent", this->Parents);
     return arrays;
@@ -79,6 +82,11 @@ private:
     vtkIdType levelSize = 1;
     for (vtkIdType node = 0; this->Scanner.Next(); ++node)
     {
+      const std::string_view first = this->Scanner.Fields()[0];
+      if (first == "Options" || first == "Evaluation")
+      {
+        return;
+      }
       if (node == levelEnd)
       {
         ++level;
@@ -93,12 +101,17 @@ private:
   void AddNode(int level, int parent)
   {
     const auto fields = this->Scanner.Fields();
-    double radius;
-    double occupancy;
-    if (fields.size() != 5 || !ParseFinite(fields[4], occupancy))
+    const auto has = [&](std::size_t count)
+    { return fields.size() == count || fields.size() == count + 5; };
+    this->HasOccupancy = this->Kept.empty() ? has(5) : this->HasOccupancy;
+    double occupancy = 0.0;
+    if (this->HasOccupancy ? !has(5) || !ParseFinite(fields[4], occupancy) : !has(4))
     {
-      this->Scanner.Refuse("5 columns: x y z radius occupancy");
+      this->Scanner.Refuse(this->Kept.empty() || this->HasOccupancy
+          ? "5 columns: x y z radius occupancy"
+          : "4 columns: x y z radius");
     }
+    double radius;
     if (ParseFinite(fields[3], radius) && radius < 0)
     {
       this->Kept.push_back(-1);
@@ -113,6 +126,7 @@ private:
   }
 
   LineScanner Scanner;
+  bool HasOccupancy = false;
   std::vector<SphereFields> Spheres;
   std::vector<double> Occupancies;
   std::vector<int> Levels;
