@@ -76,6 +76,6 @@ def test_bad_snapshot(read_error, tmp_path, case):
     text, found = BAD[case]
     path = tmp_path / "snap_t=100_0.txt"
     path.write_text(text)
-    message, _ = read_error(path, fmt="ESYS_SNAPSHOT")
+    message, _ = read_error(path, fmt="ESYS")
     assert found in message
     assert "expected" in message

@@ -23,7 +23,8 @@ using namespace spherepacking;
 
 static_assert(vtkSpherePackingReader::AUTO == static_cast<int>(Format::Auto) &&
     vtkSpherePackingReader::XYZD == static_cast<int>(Format::Xyzd) &&
-    vtkSpherePackingReader::ESYS_SNAPSHOT == static_cast<int>(Format::EsysSnapshot),
+    vtkSpherePackingReader::SPHERE_TREE == static_cast<int>(Format::SphereTree) &&
+    vtkSpherePackingReader::ESYS == static_cast<int>(Format::EsysSnapshot),
   "Format and FileFormats must have the same values");
 
 class vtkSpherePackingReader::Internals
@@ -156,6 +157,27 @@ void vtkSpherePackingReader::ReadFile(vtkInformation* outInfo, vtkPolyData* outp
       break;
     case Format::SphereTree:
       ReadSphereTree(file, options, progress).MoveTo(output);
+      break;
+    case Format::Dock:
+      ReadDock(file, options, progress).MoveTo(output);
+      break;
+    case Format::Hole:
+      ReadHole(file, options, progress).MoveTo(output);
+      break;
+    case Format::Swc:
+      ReadSwc(file, options, progress).MoveTo(output);
+      break;
+    case Format::GenGeo:
+      ReadGenGeo(file, options, progress).MoveTo(output);
+      break;
+    case Format::MedialAxis:
+      ReadMedialAxis(file, options, progress).MoveTo(output);
+      break;
+    case Format::Kratos:
+      ReadKratos(file, options, progress).MoveTo(output);
+      break;
+    case Format::PackLsd:
+      ReadPackLsd(file, options, progress).MoveTo(output);
       break;
     case Format::LammpsData:
       ReadLammpsData(file, options, progress).MoveTo(output);

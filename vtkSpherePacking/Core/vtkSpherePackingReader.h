@@ -21,13 +21,29 @@
  * | LAMMPS_DATA | .data, any other             | input of read_data, atom_style sphere, granular  |
  * | XYZ         | .xyz, .extxyz, any other     | frames of extended XYZ, Properties with a radius |
  * | MERCURY     | .data, any other             | .data of MercuryDPM, in three dimensions or two  |
- * | ESYS_SNAPSHOT | .txt, any other            | header or part of an ESyS-Particle snapshot      |
+ * | DOCK        | .sph, by content             | clusters of spheres by sphgen, array `cluster`   |
+ * | HOLE        | .sph, by content             | spheres of a pore, arrays `plane`, `end`, `name` |
+ * | SWC         | .swc, or by content          | `id type x y z radius parent` of a neuron        |
+ * | GENGEO      | .geo, or by content          | particles and box of GenGeo, ESyS-Particle       |
+ * | MEDIAL_AXIS | .ma, or by content           | vertices of a medial mesh                        |
+ * | KRATOS      | .mdpa, or by content         | nodes of Kratos that have a radius               |
+ * | PACKLSD     | any, by content              | a packing and its cell by PackLSD                |
+ * | ESYS        | .txt, by content             | a snapshot of ESyS-Particle, or a part of one    |
  *
  * Text may have blanks, tabs, commas or semicolons between the columns, blank lines, comments that
  * begin with #, a UTF-8 byte order mark, and lines that end in LF, CR LF or CR. A header, by itself
  * or as the last comment before the first row, names the columns in SPHERES, XYZR and YADE, too, if
  * it has x, y, z and a radius or diameter. In CSV an empty field of a further column is NaN.
  * Numbers are rounded once, to the precision of the output, as by strtod and strtof, in any locale.
+ *
+ * Atoms have the arrays `name`, `residue`, `residue_id` and, where a record has them, `chain`,
+ * `insertion_code` and `element`. Of a PQR file with several models the first is read, and the
+ * field array `models` says how many there are. The trees of the Sphere-Tree Construction Toolkit
+ * have the arrays `level`, `occupancy` and `parent`, the index of a sphere or -1; nodes with a
+ * negative radius are left out. Cluster 0 of DOCK holds all spheres before they were clustered. The
+ * array `plane` of HOLE is -888 or -999 for spheres that lie beside the planes of the pore, `end`
+ * is 1 for those that only bound it. A PDB or mmCIF file, by name or content, is an error, since it
+ * has no radii.
  *
  * The diameters of .xyzd are scaled by ((1 - final) / (1 - theoretical porosity))^(1/3) if there is
  * a file of the same name with the extension .nfo in the same folder. Scaled coordinates xs, ys,
@@ -86,7 +102,14 @@ public:
     LAMMPS_DATA,
     XYZ,
     MERCURY,
-    ESYS_SNAPSHOT
+    DOCK,
+    HOLE,
+    SWC,
+    GENGEO,
+    MEDIAL_AXIS,
+    KRATOS,
+    PACKLSD,
+    ESYS
   };
 
   ///@{
@@ -102,7 +125,7 @@ public:
    * The format of the file. Default AUTO: by its extension, or by its content where the extension
    * is not enough. Values outside of FileFormats are clamped.
    */
-  vtkSetClampMacro(Format, int, AUTO, ESYS_SNAPSHOT);
+  vtkSetClampMacro(Format, int, AUTO, ESYS);
   vtkGetMacro(Format, int);
   ///@}
 

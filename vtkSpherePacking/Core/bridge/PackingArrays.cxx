@@ -3,6 +3,7 @@
 
 #include "base/HugePages.h"
 #include "bridge/ColorArrays.h"
+#include "bridge/FieldData.h"
 #include "bridge/NewArrays.h"
 #include "bridge/VectorArrays.h"
 
@@ -118,6 +119,14 @@ std::string* PackingArrays::AddText(const std::string& name)
 }
 
 //------------------------------------------------------------------------------
+void PackingArrays::RemoveText(const std::string* values)
+{
+  const auto found = std::find_if(this->Extras.begin(), this->Extras.end(),
+    [values](vtkAbstractArray* array) { return array->GetVoidPointer(0) == values; });
+  this->Extras.erase(found);
+}
+
+//------------------------------------------------------------------------------
 void PackingArrays::MoveTo(vtkPolyData* output)
 {
   vtkNew<vtkPoints> points;
@@ -148,10 +157,11 @@ void PackingArrays::MoveTo(vtkPolyData* output)
   }
   if (this->Time)
   {
-    vtkNew<vtkDoubleArray> time;
-    time->SetName("TimeValue");
-    time->InsertNextValue(*this->Time);
-    output->GetFieldData()->AddArray(time);
+    AddFieldArray(output, "TimeValue", { *this->Time });
+  }
+  for (const auto& [name, value] : this->Fields)
+  {
+    AddFieldArray(output, name.c_str(), { value });
   }
 }
 }

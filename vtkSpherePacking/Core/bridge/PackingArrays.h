@@ -8,6 +8,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 class vtkAbstractArray;
@@ -64,6 +65,15 @@ public:
   /// Adds a further array of text, and returns its values, which are empty.
   std::string* AddText(const std::string& name);
 
+  /// Removes the further array of text with these values.
+  void RemoveText(const std::string* values);
+
+  /// Adds a field array of one number, by which a reader tells of the file.
+  void AddFieldValue(const std::string& name, double value)
+  {
+    this->Fields.push_back({ name, value });
+  }
+
   /// The simulation cell becomes the field arrays `cell_vectors` (3 tuples a, b, c), `cell_origin`
   /// (3 values) and `cell_periodic` (3 bytes, 1 for periodic); the time `TimeValue` (1 value), the
   /// name that VTK's own readers give it.
@@ -83,6 +93,7 @@ private:
   std::vector<vtkSmartPointer<vtkAbstractArray>> Extras;
   std::optional<SimulationCell> Cell;
   std::optional<double> Time;
+  std::vector<std::pair<std::string, double>> Fields;
 };
 }
 

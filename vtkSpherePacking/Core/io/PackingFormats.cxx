@@ -6,6 +6,7 @@
 #include "io/LammpsDataFile.h"
 #include "io/LineCursor.h"
 #include "io/MercuryHeader.h"
+#include "io/FixedForms.h"
 #include "io/PackingFileError.h"
 #include "io/TextChunks.h"
 #include "io/UnicodeText.h"
@@ -26,12 +27,26 @@ bool BeginsWith(std::string_view text, std::string_view prefix)
   return text.substr(0, prefix.size()) == prefix;
 }
 
+// The end of the last line that is whole, if there are more bytes than the first `length`.
+const char* WholeLinesEnd(const FileBytes& head, unsigned long long length)
+{
+  const char* end = head.End();
+  if (static_cast<unsigned long long>(end - head.Begin()) == length)
+  {
+    while (end != head.Begin() && !IsLineEnd(end[-1]))
+    {
+      --end;
+    }
+  }
+  return end == head.Begin() ? head.End() : end;
+}
+
 // Detects the format by what the first lines begin with, up to one that is no comment. Only YADE
 // writes #format.
 Format FormatOfText(const char* begin, const char* end)
 {
   LineFinder find(end);
-  for (const char* p = SkipUtf8Mark(begin, end); p != end;)
+  for (const char* p = begin; p != end;)
   {
     const char* lineEnd = find(p);
     const char* first = SkipBlanks(p, lineEnd);
@@ -43,13 +58,6 @@ Format FormatOfText(const char* begin, const char* end)
     if (BeginsWith(line, "#format"))
     {
       return Format::Yade;
-    }
-    for (const char* record : { "ATOM ", "HETATM", "REMARK", "HEADER" })
-    {
-      if (BeginsWith(line, record))
-      {
-        return Format::Pqr;
-      }
     }
     if (!line.empty() && line.front() != '#')
     {
@@ -107,7 +115,8 @@ Format FormatOfExtension(const std::string& file)
   static const std::map<std::string, Format> formats{ { ".spheres", Format::Spheres },
     { ".xyzr", Format::Xyzr }, { ".csv", Format::Csv }, { ".xyzd", Format::Xyzd },
     { ".dump", Format::Dump }, { ".lammpstrj", Format::Dump }, { ".liggghts", Format::Dump },
-    { ".pqr", Format::Pqr }, { ".sph", Format::SphereTree } };
+    { ".pqr", Format::Pqr }, { ".sph", Format::SphereTree }, { ".swc", Format::Swc },
+    { ".geo", Format::GenGeo }, { ".ma", Format::MedialAxis }, { ".mdpa", Format::Kratos } };
   const auto found = formats.find(
     vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(file)));
   return found == formats.end() ? Format::Auto : found->second;
@@ -121,19 +130,31 @@ Format GuessFormat(const std::string& file)
   {
     return format;
   }
-  constexpr unsigned long long head = 1 << 16;
-  const FileBytes bytes = FileBytes::ReadHead(file, head);
+  constexpr unsigned long long length = 1 << 16;
+  const FileBytes bytes = FileBytes::ReadHead(file, length);
   if (HasWideMark(bytes))
   {
     return format == Format::Auto ? Format::Spheres : format; // no program writes UTF-16
   }
-  const Format ofText = FormatOfText(bytes.Begin(), bytes.End());
-  if (format == Format::Auto && ofText == Format::Spheres)
+  const TextRange head{ SkipUtf8Mark(bytes.Begin(), bytes.End()), WholeLinesEnd(bytes, length) };
+  const Format ofText = FormatOfText(head.Begin, head.End);
+  const Format fixed = ofText == Format::Spheres ? GuessFixedForm(head) : Format::Auto;
+  if (format == Format::SphereTree)
   {
-    return FormatOfProgram(file, bytes.Begin(), bytes.End());
+    // Other programs write dumps or spheres of molecules with the extension .sph.
+    return ofText == Format::Dump                      ? ofText
+      : fixed == Format::Dock || fixed == Format::Hole ? fixed
+                                                       : format;
   }
-  // Some programs write dumps with the extension .sph, too.
-  return format == Format::SphereTree && ofText != Format::Dump ? format : ofText;
+  if (fixed != Format::Hole)
+  {
+    RefuseAtomsWithoutRadii(file, head);
+  }
+  if (fixed != Format::Auto)
+  {
+    return fixed;
+  }
+  return ofText == Format::Spheres ? FormatOfProgram(file, bytes.Begin(), bytes.End()) : ofText;
 }
 
 //------------------------------------------------------------------------------

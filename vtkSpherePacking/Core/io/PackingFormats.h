@@ -26,6 +26,13 @@ enum class Format
   LammpsData,
   Xyz,
   Mercury,
+  Dock,
+  Hole,
+  Swc,
+  GenGeo,
+  MedialAxis,
+  Kratos,
+  PackLsd,
   EsysSnapshot
 };
 
@@ -51,6 +58,14 @@ PackingArrays ReadTextTable(
 PackingArrays ReadPqr(const std::string& file, const ReadOptions& options, Progress& progress);
 PackingArrays ReadSphereTree(
   const std::string& file, const ReadOptions& options, Progress& progress);
+PackingArrays ReadDock(const std::string& file, const ReadOptions& options, Progress& progress);
+PackingArrays ReadHole(const std::string& file, const ReadOptions& options, Progress& progress);
+PackingArrays ReadSwc(const std::string& file, const ReadOptions& options, Progress& progress);
+PackingArrays ReadGenGeo(const std::string& file, const ReadOptions& options, Progress& progress);
+PackingArrays ReadMedialAxis(
+  const std::string& file, const ReadOptions& options, Progress& progress);
+PackingArrays ReadKratos(const std::string& file, const ReadOptions& options, Progress& progress);
+PackingArrays ReadPackLsd(const std::string& file, const ReadOptions& options, Progress& progress);
 PackingArrays ReadXyzd(const std::string& file, const ReadOptions& options, Progress& progress);
 
 PackingArrays ReadLammpsData(

@@ -2,9 +2,11 @@
 #ifndef RowParser_h
 #define RowParser_h
 
+#include "base/Dispatch.h"
 #include "io/Number.h"
 #include "io/PrintableText.h"
 #include "io/ShortRow.h"
+#include "io/ShortRows.h"
 #include "io/TableLayout.h"
 
 #include <algorithm>
@@ -68,6 +70,21 @@ public:
     this->IsPlain = !Scaled &&
       this->Roles ==
         std::vector<ColumnRole>{ ColumnRole::X, ColumnRole::Y, ColumnRole::Z, ColumnRole::Radius };
+  }
+
+  /// Parses lines from `p` on into rows `row` and so on of the arrays, moving `row` on, as long as
+  /// they are of the most common form; returns the first that is not. `end` is the end of a line.
+  const char* ParsePlainRows(const char* p, const char* end, vtkIdType& row) const
+  {
+#if defined(SPHEREPACKING_HAS_AVX2)
+    if (this->IsPlain && HasAvx2())
+    {
+      long long count = 0;
+      p = ParseShortRowsAvx2(p, end, this->Centers + 3 * row, this->Radii + row, count);
+      row += count;
+    }
+#endif
+    return p;
   }
 
   /// Parses the line at `p` into row `row` of the arrays. Returns the line end, or null with

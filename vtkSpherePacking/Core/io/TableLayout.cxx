@@ -3,6 +3,8 @@
 
 #include "io/Number.h"
 
+#include <algorithm>
+
 namespace spherepacking
 {
 //------------------------------------------------------------------------------

@@ -17,49 +17,8 @@ namespace
 struct BadRow
 {
   const char* Line = nullptr;
-  const char* Row = nullptr; // where parsing began, which is not the line for an ATOM record
   RowFault Fault{};
 };
-
-// Whether [begin, end) has the fields that come first in an ATOM record: ATOM, number, name,
-// residue and number of the residue, at least. If one is missing, the last fields are not those
-// expected.
-bool HasLeadingFields(const TableLayout& layout, const char* begin, const char* end)
-{
-  constexpr std::size_t minimum = 5;
-  std::size_t count = 0;
-  std::string_view last;
-  for (const char* p = SkipBlanks(begin, end); p != end; p = SkipBlanks(p, end))
-  {
-    const char* next = std::min(layout.Between.FieldEnd(p), end);
-    next += next == p; // a lone separator
-    last = std::string_view(p, next - p);
-    p = next;
-    ++count;
-  }
-  // With five, the last is the residue's number, and not the letter of a chain without digits.
-  return count > minimum || (count == minimum && last.find_first_of("0123456789") != last.npos);
-}
-
-// Where the layout's columns begin in an ATOM record, which has them last, after a varying number
-// of others (T. Dolinsky et al., "PDB2PQR: an automated pipeline for the setup of
-// Poisson-Boltzmann electrostatics calculations", 2004).
-const char* FirstField(const TableLayout& layout, const char* begin, const char* end)
-{
-  const char* p = end;
-  for (std::size_t field = 0; field < layout.Columns.size(); ++field)
-  {
-    while (p != begin && IsBlank(p[-1]))
-    {
-      --p;
-    }
-    while (p != begin && !IsBlank(p[-1]))
-    {
-      --p;
-    }
-  }
-  return p;
-}
 
 template <typename Parser>
 void ParseChunk(
@@ -69,21 +28,14 @@ void ParseChunk(
   vtkIdType row = chunk.FirstRow;
   for (const char* p = chunk.Begin; p != chunk.End;)
   {
+    p = parser.ParsePlainRows(p, chunk.End, row);
     const char* end = p;
-    if (IsRow(layout.Rows, p, chunk.End))
+    if (p != chunk.End && IsRow(layout.Rows, p, chunk.End))
     {
-      const bool atom = layout.Rows == RowKind::Atom;
-      const char* first = atom ? FirstField(layout, p, find(p)) : p;
-      if (atom && !HasLeadingFields(layout, p, first))
-      {
-        bad = { p, p, { RowFault::TooFewColumns, 0, p } };
-        return;
-      }
-      end = parser.Parse(first, row, bad.Fault);
+      end = parser.Parse(p, row, bad.Fault);
       if (!end)
       {
         bad.Line = p;
-        bad.Row = first;
         return;
       }
       ++row;
@@ -93,10 +45,9 @@ void ParseChunk(
   }
 }
 
-[[noreturn]] void ThrowColumnCount(
-  vtkIdType line, const TableLayout& layout, const char* begin, const char* row)
+[[noreturn]] void ThrowColumnCount(vtkIdType line, const TableLayout& layout, const char* begin)
 {
-  const std::size_t found = layout.Between.Split(row).size();
+  const std::size_t found = layout.Between.Split(begin).size();
   const char* end = begin;
   while (!IsLineEnd(*end))
   {
@@ -113,7 +64,7 @@ void ParseChunk(
   const RowFault& fault = bad.Fault;
   if (fault.What == RowFault::TooFewColumns || fault.What == RowFault::TooManyColumns)
   {
-    ThrowColumnCount(line, layout, bad.Line, bad.Row);
+    ThrowColumnCount(line, layout, bad.Line);
   }
   const Column& column = layout.Columns[fault.Column];
   // A radius is called so even if the column is called r.
@@ -125,11 +76,9 @@ void ParseChunk(
   const char* expected = fault.What == RowFault::NotANumber ? "a number"
     : fault.What == RowFault::NotFinite                     ? "a finite number"
                                                             : "a number that is not negative";
-  // The columns of an ATOM record are counted from its end, so a number would mislead.
-  const std::string where = layout.Rows == RowKind::Atom
-    ? " (" + layout.Expected + ")"
-    : " in column " + std::to_string(fault.Column + 1);
-  throw LineError(line, "found " + field + " as " + name + where + ", expected " + expected);
+  throw LineError(line,
+    "found " + field + " as " + name + " in column " + std::to_string(fault.Column + 1) +
+      ", expected " + expected);
 }
 
 template <typename Real, bool Scaled>
@@ -250,7 +199,7 @@ void CheckNoShortRow(const TextRange& text, const TableLayout& layout)
     const char* const end = find(p);
     if (IsRow(layout.Rows, p, end) && layout.Between.Split(p).size() < layout.Columns.size())
     {
-      ThrowColumnCount(line, layout, p, p);
+      ThrowColumnCount(line, layout, p);
     }
     p = SkipLineEnd(end, text.End);
   }
