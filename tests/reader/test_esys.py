@@ -5,8 +5,10 @@ import pytest
 
 FORMAT = 20005
 HEADER = """V {version}
-100 0.01 7
-LSMGeometry 1.2
+200
+0.01
+100
+ESyS-Particle_2.3.4_bzr_rev.
 BoundingBox 0 -1 -2 10 9 8
 PeriodicBoundaries 1 0 0
 Dimension 3D
@@ -55,6 +57,7 @@ def test_a_snapshot(tmp_path, read, parts):
     assert packing.field_data["cell_vectors"].tolist() == np.diag([10.0, 10, 10]).tolist()
     assert packing.field_data["cell_origin"].tolist() == [0, -1, -2]
     assert packing.field_data["cell_periodic"].tolist() == [1, 0, 0]
+    assert packing.field_data["TimeValue"].tolist() == [100]
 
 
 BAD = {

@@ -55,6 +55,7 @@ bool IsColumnCount(std::size_t count)
 struct SnapshotHeader
 {
   std::optional<SimulationCell> Cell;
+  std::optional<double> Step; ///< the number of the time step
   std::vector<std::string> Parts;
 };
 
@@ -76,6 +77,12 @@ SnapshotHeader ReadHeader(const std::string& file, const TextRange& text)
   while (lines.Step())
   {
     const auto fields = lines.Fields();
+    // After the version: the number of time steps of the run, their length, and the step.
+    if (lines.Number() == 4 && fields.size() == 1 && IsNumber(fields[0]))
+    {
+      header.Step = lines.Numbers("the time step")[0];
+      continue;
+    }
     const auto number = [&](std::size_t i)
     {
       double value = 0.0;
@@ -199,7 +206,8 @@ bool BeginsAsEsysSnapshot(const char* begin, const char* end)
   const auto first = lines.Fields();
   if (first.size() == 2 && first[0] == "V")
   {
-    for (int i = 0; i < 4 && lines.Step(); ++i)
+    constexpr int atMost = 20; // lines before it
+    for (int i = 0; i < atMost && lines.Step(); ++i)
     {
       const auto fields = lines.Fields();
       if (!fields.empty() && fields[0] == "BoundingBox")
@@ -224,7 +232,7 @@ PackingArrays ReadEsysSnapshot(
 {
   progress.SetRange(0.0, 0.3);
   const FileBytes head = FileBytes::ReadHead(file, 2);
-  SnapshotHeader header{ std::nullopt, { file } };
+  SnapshotHeader header{ std::nullopt, std::nullopt, { file } };
   if (*head.Begin() == 'V')
   {
     const FileBytes bytes = FileBytes::Read(file, progress);
@@ -240,6 +248,10 @@ PackingArrays ReadEsysSnapshot(
   if (header.Cell)
   {
     arrays.SetCell(*header.Cell);
+  }
+  if (header.Step)
+  {
+    arrays.SetTime(*header.Step);
   }
   return arrays;
 }
