@@ -310,6 +310,18 @@ def test_spheres_outside_the_cell(rng):
     check_periodic(centers, rng.uniform(0.1, 0.6, 60), vectors, (7, 7, 7), gap=0.05)
 
 
+@pytest.mark.parametrize("offset", [0.0, 1e6, 1e12])
+def test_points_in_a_periodic_cell(rng, offset):
+    # Rounding at this offset is far larger than what would be a cell of the grid for points.
+    centers = rng.integers(0, 8, (200, 3)) / 8.0 + offset
+    check_periodic(centers, np.zeros(200), np.eye(3), (2, 2, 2), origin=3 * [offset])
+
+
+def test_many_small_spheres_and_a_large_one_across_faces(rng):
+    centers, radii = rng.random((150, 3)) * 20, np.append(rng.uniform(0.01, 0.3, 149), 9.0)
+    check_periodic(centers, radii, 20 * np.eye(3), (2, 2, 2))
+
+
 def test_wrapping_changes_no_gap_of_whole_numbers(rng):
     # Whole coordinates are moved exactly, so a packing and any of its images have the same gaps.
     vectors = np.array([[16.0, 0, 0], [4, 16, 0], [-4, 8, 16]])

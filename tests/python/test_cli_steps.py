@@ -147,10 +147,11 @@ def test_what_formats_leave_out():
     packing = spherepacking.apollonian(1)
     assert left_out(packing, "a.csv") is None
     assert left_out(packing, "a.vtp") is None
+    assert left_out(packing, "a.dump") is None
     packing["element"] = ["C"] * packing.n_points
     packing["matId"] = np.zeros(packing.n_points)
     packing.field_data["cell_vectors"] = np.eye(3)
-    text = "holds numbers of each sphere alone: left out element, the cell"
+    text = "holds arrays of each sphere alone: left out the cell"
     assert left_out(packing, "/somewhere/a.csv") == f"a.csv {text}"
     text = "holds x y z r matId alone: left out level, element, the cell"
     assert left_out(packing, "a.txt") == f"a.txt {text}"
@@ -216,6 +217,14 @@ def test_a_range_of_colours_for_all(run, tmp_path):
     assert brightest[1] / brightest[0] == pytest.approx(0.75, abs=0.06)
     assert brightest[2] / brightest[0] == pytest.approx(0.625, abs=0.06)
     assert brightest[3] / brightest[0] == pytest.approx(0.5, abs=0.06)
+
+
+def test_colours_of_a_file_are_shown_as_they_are(tmp_path):
+    (tmp_path / "a.csv").write_text("x,y,z,radius,R,G,B\n0,0,0,1,255,0,0\n4,0,0,1,0,0,255\n")
+    assert render(tmp_path / "a.csv", "--steps", ":", "--scalars", "rgb") == 0
+    (picture,) = pictures(tmp_path, 0)
+    found = {tuple(np.sign(pixel)) for pixel in picture.reshape(-1, 3).astype(int) // 128}
+    assert {(1, 0, 0), (0, 0, 1)} <= found
 
 
 def test_radii_have_one_range_too(run, tmp_path):

@@ -28,7 +28,7 @@
  * | MEDIAL_AXIS | .ma, or by content           | vertices of a medial mesh                        |
  * | KRATOS      | .mdpa, or by content         | nodes of Kratos that have a radius               |
  * | PACKLSD     | any, by content              | a packing and its cell by PackLSD                |
- * | ESYS        | .txt, by content             | a snapshot of ESyS-Particle, or a part of one    |
+ * | ESYS        | any, by content              | NAME_0.txt, a snapshot of ESyS-Particle          |
  *
  * Text may have blanks, tabs, commas or semicolons between the columns, blank lines, comments that
  * begin with #, a UTF-8 byte order mark, and lines that end in LF, CR LF or CR. A header, by itself
@@ -55,6 +55,9 @@
  * are 0, 1, 2 and so on. The field array `TimeValue` has the file's own number. A step without
  * spheres has no points. A last step that was cut before it says what it is, since the run was
  * stopped, is left out; one that was cut later is an error when it is read.
+ *
+ * A snapshot of ESyS-Particle is a file that names those with the particles, one per worker of the
+ * run; they are looked for beside it. Its time is the number of the step times their length.
  *
  * The simulation cell of a dump, a LAMMPS data file, an extended XYZ or a MercuryDPM file becomes
  * the field arrays `cell_vectors` (three tuples a, b, c), `cell_origin` and `cell_periodic` (1 for
@@ -152,7 +155,7 @@ public:
    * The names of the columns of a table in text, separated by blanks, such as "id x y z r". Then
    * neither a header nor comments decide, and every row must have as many columns. Default null or
    * empty: they are found. Also names those of LAMMPS_DATA, of the section Atoms, and of XYZ
-   * without Properties. Has no effect on other formats. Without x, y and z the update is an error.
+   * without Properties; with other formats the update is an error, and without x, y and z.
    */
   vtkSetStringMacro(Columns);
   vtkGetStringMacro(Columns);

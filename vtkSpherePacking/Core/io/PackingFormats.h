@@ -66,12 +66,11 @@ PackingArrays ReadMedialAxis(
   const std::string& file, const ReadOptions& options, Progress& progress);
 PackingArrays ReadKratos(const std::string& file, const ReadOptions& options, Progress& progress);
 PackingArrays ReadPackLsd(const std::string& file, const ReadOptions& options, Progress& progress);
+PackingArrays ReadEsysSnapshot(
+  const std::string& file, const ReadOptions& options, Progress& progress);
 PackingArrays ReadXyzd(const std::string& file, const ReadOptions& options, Progress& progress);
 
 PackingArrays ReadLammpsData(
-  const std::string& file, const ReadOptions& options, Progress& progress);
-
-PackingArrays ReadEsysSnapshot(
   const std::string& file, const ReadOptions& options, Progress& progress);
 
 /// Reads one of the time steps that were found in the file, see io/TimeSteps.h.

@@ -5,254 +5,186 @@
 #include "io/PackingFileError.h"
 #include "io/PackingFormats.h"
 #include "io/TextTable.h"
-#include "io/XyzComment.h"
 
 #include "vtksys/SystemTools.hxx"
 
 #include <algorithm>
-#include <array>
+#include <set>
 
 namespace spherepacking
 {
 namespace
 {
-// What a particle is written as, by whether it can rotate, and whether the version of the snapshot
-// is 2 or more, which adds the shift across a periodic boundary.
-constexpr std::array<std::size_t, 4> ColumnCounts{ 19, 22, 26, 29 };
+constexpr const char* Things = "particles";
 
-std::vector<Column> ColumnsOf(std::size_t count)
+/// The particles of one worker.
+struct WorkerFile
 {
-  std::vector<Column> columns{ { ColumnRole::X, "x" }, { ColumnRole::Y, "y" },
-    { ColumnRole::Z, "z" }, { ColumnRole::Radius, "radius" } };
-  const auto add = [&columns](std::initializer_list<const char*> names)
-  {
-    for (const char* name : names)
-    {
-      columns.push_back({ ColumnRole::Extra, name });
-    }
-  };
-  add({ "id", "tag", "mass" });
-  add({ "initial_position_x", "initial_position_y", "initial_position_z" });
-  add({ "old_position_x", "old_position_y", "old_position_z" });
-  add({ "vx", "vy", "vz", "fx", "fy", "fz" });
-  if (count == 22 || count == 29)
-  {
-    add({ "circular_shift_x", "circular_shift_y", "circular_shift_z" });
-  }
-  if (count >= 26)
-  {
-    add({ "q0", "q1", "q2", "q3", "wx", "wy", "wz" });
-  }
-  return columns;
-}
-
-bool IsColumnCount(std::size_t count)
-{
-  return std::find(ColumnCounts.begin(), ColumnCounts.end(), count) != ColumnCounts.end();
-}
-
-/// The file that names those of the processes, each of which holds a part of the particles.
-struct SnapshotHeader
-{
-  std::optional<SimulationCell> Cell;
-  std::optional<double> Step; ///< the number of the time step
-  std::vector<std::string> Parts;
-};
-
-/// The particles that one process has written.
-struct SnapshotPart
-{
-  std::string File;
-  FileBytes Bytes;
+  std::string Path;
   vtkIdType Count;
-  TextRange Rows; ///< and what follows them, which is bonds
-  std::size_t Columns;
+  std::size_t Columns; ///< in its first row
 };
 
-SnapshotHeader ReadHeader(const std::string& file, const TextRange& text)
+// What the count of a file, its first line, says.
+vtkIdType CountOf(LineCursor& lines)
 {
-  SnapshotHeader header;
-  SimulationCell cell{};
-  LineCursor lines(text);
-  while (lines.Step())
-  {
-    const auto fields = lines.Fields();
-    // After the version: the number of time steps of the run, their length, and the step.
-    if (lines.Number() == 4 && fields.size() == 1 && IsNumber(fields[0]))
-    {
-      header.Step = lines.Numbers("the time step")[0];
-      continue;
-    }
-    const auto number = [&](std::size_t i)
-    {
-      double value = 0.0;
-      const char* const end = i < fields.size() ? fields[i].data() + fields[i].size() : nullptr;
-      if (!end || ParseNumber(fields[i].data(), end, value) != end || !std::isfinite(value))
-      {
-        lines.Refuse("the numbers of " + std::string(fields[0]));
-      }
-      return value;
-    };
-    if (!fields.empty() && fields[0] == "BoundingBox")
-    {
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        cell.Origin[axis] = number(1 + axis);
-        cell.Vectors[axis][axis] = number(4 + axis) - cell.Origin[axis];
-      }
-    }
-    else if (!fields.empty() && fields[0] == "PeriodicBoundaries")
-    {
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        cell.Periodic[axis] = number(1 + axis) != 0.0;
-      }
-      header.Cell = cell;
-    }
-    else if (header.Cell && !fields.empty() && fields[0] != "Dimension")
-    {
-      // The folder is the one in which the program ran, from where people move files away.
-      using vtksys::SystemTools;
-      for (const std::string_view name : fields)
-      {
-        header.Parts.push_back(SystemTools::GetFilenamePath(file) +
-          (SystemTools::GetFilenamePath(file).empty() ? "" : "/") +
-          SystemTools::GetFilenameName(std::string(name)));
-      }
-    }
-  }
-  if (header.Parts.empty())
-  {
-    throw ContentError("holds no names of files, expected BoundingBox, PeriodicBoundaries and the "
-                       "files of the processes");
-  }
-  return header;
+  const std::string expected = "the number of particles";
+  lines.StepInto("the file", expected);
+  return lines.Count(expected);
 }
 
-SnapshotPart ReadPart(const std::string& file, Progress& progress)
+// Looks at the count and the first row; the count is believed only as far as the file is long.
+WorkerFile LookAt(const std::string& path)
 {
-  SnapshotPart part{ file, FileBytes::Read(file, progress), 0, { nullptr, nullptr }, 0 };
-  LineCursor lines({ part.Bytes.Begin(), part.Bytes.End() });
-  lines.StepInto("the file", "the number of particles");
-  part.Count = lines.Count("the number of particles");
-  part.Rows = lines.Rest();
-  for (vtkIdType i = 0; i < part.Count; ++i)
-  {
-    if (!lines.Step())
+  constexpr unsigned long long head = 1 << 16;
+  const FileBytes bytes = FileBytes::ReadHead(path, head);
+  return WithFileName(path,
+    [&]
     {
-      CheckCount(part.Count, "particles", 1, i);
-    }
-    if (i == 0)
-    {
-      part.Columns = lines.Fields().size();
-      if (!IsColumnCount(part.Columns))
+      LineCursor lines({ bytes.Begin(), bytes.End() });
+      WorkerFile file{ path, CountOf(lines), 0 };
+      const vtkIdType countLine = lines.Number();
+      file.Columns = file.Count > 0 && lines.Step() ? lines.Fields().size() : 0;
+      const auto most = static_cast<vtkIdType>(
+        FileBytes::Size(path) / (2 * std::max<std::size_t>(file.Columns, 1)));
+      if (file.Count > most)
       {
-        lines.Refuse("19, 22, 26 or 29 columns: x y z radius id tag mass and so on");
+        throw LineError(countLine,
+          "found " + std::to_string(file.Count) +
+            " as the number of particles, expected at most as many as the file has room for");
       }
-    }
-  }
-  part.Rows.End = lines.Rest().Begin;
-  // Otherwise there are more particles than it says.
-  if (lines.Step() && !lines.Fields().empty())
-  {
-    lines.Count("the number of groups of bonds after as many particles as line 1 says");
-  }
-  return part;
+      return file;
+    });
 }
 
-PackingArrays ParseParts(
-  const std::vector<SnapshotPart>& parts, const ReadOptions& options, Progress& progress)
+std::vector<WorkerFile> FindWorkerFiles(const std::string& head, const EsysSnapshot& snapshot)
 {
-  vtkIdType count = 0;
-  std::size_t columns = ColumnCounts[0]; // of an empty snapshot
-  for (const SnapshotPart& part : parts)
+  const std::string folder = vtksys::SystemTools::GetFilenamePath(head);
+  std::vector<WorkerFile> files;
+  std::set<std::string> names;
+  for (const std::string& name : snapshot.Files)
   {
-    columns = part.Count > 0 ? part.Columns : columns;
-    count += part.Count;
+    if (!names.insert(name).second)
+    {
+      throw LineError(snapshot.FilesLine,
+        "found " + Quote(name.data(), name.data() + name.size()) +
+          " twice, expected each file of particles once");
+    }
+    const std::string path = folder.empty() ? name : folder + '/' + name;
+    if (!vtksys::SystemTools::FileExists(path, true))
+    {
+      throw LineError(snapshot.FilesLine,
+        "found " + Quote(name.data(), name.data() + name.size()) +
+          ", which is not there, expected the files of particles beside this one");
+    }
+    files.push_back(LookAt(path));
   }
+  return files;
+}
+
+// Particles that rotate have an orientation and an angular velocity at the end.
+TableLayout LayoutOf(std::size_t count)
+{
   TableLayout layout;
   layout.Between = Separators::Blanks();
-  layout.Columns = ColumnsOf(columns);
-  layout.Expected = DescribeColumns(layout.Columns);
-  TableParser parser(layout, count, options.Single);
-  vtkIdType row = 0;
-  for (const SnapshotPart& part : parts)
+  layout.Columns = { { ColumnRole::X, "x" }, { ColumnRole::Y, "y" }, { ColumnRole::Z, "z" },
+    { ColumnRole::Radius, "radius" } };
+  for (const char* name : { "id", "tag", "mass", "initial_position_x", "initial_position_y",
+         "initial_position_z", "old_position_x", "old_position_y", "old_position_z", "vx", "vy",
+         "vz", "fx", "fy", "fz", "circular_shift_x", "circular_shift_y", "circular_shift_z", "q0",
+         "q1", "q2", "q3", "wx", "wy", "wz" })
   {
-    WithFileName(part.File,
-      [&]
-      {
-        const auto chunks = CutIntoChunks(part.Rows, layout.Rows, options.ChunkSize, row, progress);
-        CheckCount(part.Count, "particles", 1, std::max(CountRows(chunks), row) - row);
-        parser.Parse(part.Bytes.End(), chunks, progress);
-        if (parser.LayoutWithText())
-        {
-          throw ContentError("holds a row with text, expected numbers alone");
-        }
-      });
-    row += part.Count;
+    if (layout.Columns.size() < count)
+    {
+      layout.Columns.push_back({ ColumnRole::Extra, name });
+    }
   }
-  return parser.Take();
-}
+  while (layout.Columns.size() < count)
+  {
+    layout.Columns.push_back(
+      { ColumnRole::Extra, "column_" + std::to_string(layout.Columns.size() + 1) });
+  }
+  layout.Expected = DescribeColumns(layout.Columns);
+  return layout;
 }
 
-//------------------------------------------------------------------------------
-bool BeginsAsEsysSnapshot(const char* begin, const char* end)
+// The lines of the particles, which bonds and more follow.
+TextRange FindRows(LineCursor& lines, vtkIdType count)
 {
-  LineCursor lines({ begin, end });
-  if (!lines.Step())
+  const vtkIdType countLine = lines.Number();
+  TextRange rows = lines.Rest();
+  vtkIdType found = 0;
+  while (found < count && lines.Step())
   {
-    return false;
+    ++found;
   }
-  const auto first = lines.Fields();
-  if (first.size() == 2 && first[0] == "V")
+  CheckCount(count, Things, countLine, found);
+  rows.End = lines.Rest().Begin;
+  if (lines.Step() && !lines.Fields().empty())
   {
-    constexpr int atMost = 20; // lines before it
-    for (int i = 0; i < atMost && lines.Step(); ++i)
+    // Otherwise there are more particles than it says.
+    lines.Count("the number of groups of bonds after as many particles as line 1 says");
+  }
+  return rows;
+}
+
+// Parses the particles of a worker into the rows from `first` on.
+void ParseWorkerFile(const WorkerFile& file, TableParser& parser, vtkIdType first,
+  const ReadOptions& options, Progress& progress)
+{
+  Progress silent(nullptr);
+  const FileBytes bytes = FileBytes::Read(file.Path, silent);
+  WithFileName(file.Path,
+    [&]
     {
-      const auto fields = lines.Fields();
-      if (!fields.empty() && fields[0] == "BoundingBox")
+      LineCursor lines({ bytes.Begin(), bytes.End() });
+      CountOf(lines);
+      const TextRange rows = FindRows(lines, file.Count);
+      CheckNotCut(rows);
+      const auto chunks = CutIntoChunks(rows, RowKind::Data, options.ChunkSize, first, silent);
+      CheckCount(file.Count, Things, 1, CountRows(chunks) - (chunks.empty() ? 0 : first));
+      parser.Parse(bytes.End(), chunks, progress);
+      if (parser.LayoutWithText())
       {
-        return true;
+        throw ContentError("found words among the numbers, expected numbers alone");
       }
-    }
-    return false;
-  }
-  if (!XyzCount(lines.Line()) || !lines.Step())
-  {
-    return false;
-  }
-  const auto fields = lines.Fields();
-  return IsColumnCount(fields.size()) &&
-    std::all_of(fields.begin(), fields.end(), [](auto field) { return IsNumber(field); });
+      return 0;
+    });
+}
 }
 
 //------------------------------------------------------------------------------
 PackingArrays ReadEsysSnapshot(
   const std::string& file, const ReadOptions& options, Progress& progress)
 {
-  progress.SetRange(0.0, 0.3);
-  const FileBytes head = FileBytes::ReadHead(file, 2);
-  SnapshotHeader header{ std::nullopt, std::nullopt, { file } };
-  if (*head.Begin() == 'V')
+  const FileBytes head = FileBytes::Read(file, progress);
+  EsysSnapshot snapshot{};
+  std::vector<WorkerFile> files;
+  WithFileName(file,
+    [&]
+    {
+      snapshot = ParseEsysSnapshot({ head.Begin(), head.End() });
+      files = FindWorkerFiles(file, snapshot);
+      return 0;
+    });
+  vtkIdType count = 0;
+  std::size_t columns = 0;
+  for (const WorkerFile& worker : files)
   {
-    const FileBytes bytes = FileBytes::Read(file, progress);
-    header = WithFileName(file, [&] { return ReadHeader(file, { bytes.Begin(), bytes.End() }); });
+    count += worker.Count;
+    columns = std::max(columns, worker.Columns);
   }
-  std::vector<SnapshotPart> parts;
-  for (const std::string& part : header.Parts)
+  constexpr std::size_t fewest = 7; // up to the mass
+  TableParser parser(LayoutOf(std::max(columns, fewest)), count, options.Single);
+  vtkIdType first = 0;
+  for (const WorkerFile& worker : files)
   {
-    parts.push_back(WithFileName(part, [&] { return ReadPart(part, progress); }));
+    ParseWorkerFile(worker, parser, first, options, progress);
+    first += worker.Count;
   }
-  progress.SetRange(0.3, 1.0);
-  PackingArrays arrays = ParseParts(parts, options, progress);
-  if (header.Cell)
-  {
-    arrays.SetCell(*header.Cell);
-  }
-  if (header.Step)
-  {
-    arrays.SetTime(*header.Step);
-  }
+  PackingArrays arrays = parser.Take();
+  arrays.SetCell(snapshot.Cell);
+  arrays.SetTime(snapshot.Time);
   return arrays;
 }
 }
