@@ -44,7 +44,8 @@ inline bool MakeDecimal(std::uint64_t whole, std::uint64_t fraction, int decimal
 
 /**
  * A fast path for numbers without sign and exponent and with 1 to 8 digits before and 1 to 7 after
- * the point, as in files of limited precision: all decimals are parsed at once in a 64-bit word.
+ * the point, as in files of limited precision, and for integers of up to 8 digits. All decimals are
+ * parsed at once in a 64-bit word.
  * Returns the end of the number, or null for anything else, a number or not.
  */
 template <typename T>
@@ -64,9 +65,15 @@ inline const char* ParseShortDecimal(const char* p, const char* end, T& value)
   {
     whole = 10 * whole + static_cast<unsigned char>(*p - '0');
   }
-  if (p == begin || *p != '.')
+  if (p == begin)
   {
     return nullptr;
+  }
+  if (*p != '.')
+  {
+    // An integer, as ids and types are, unless it goes on; converting it rounds once.
+    value = static_cast<T>(whole);
+    return isDigit(*p) || (*p | 0x20) == 'e' ? nullptr : p;
   }
   ++p;
 
