@@ -47,7 +47,7 @@ READ = {
     "a comment for each column": "# column 1: id\n# column 2: x\n# column 3: y\n# column 4: z\n"
     "# column 5: radius\n" + FIVE,
     "a comment for each column, by number": "# 1 id\n# 2 x\n# 3 y\n# 4 z\n# 5 radius [mm]\n" + FIVE,
-    "a comment for each column, and others": "# made today by hand\n# id\n# x: in mm\n# y\n# z\n# radius\n"
+    "a comment for each column, and others": "# made by hand\n# id\n# x: in mm\n# y\n# z\n# r\n"
     + FIVE,
     "the names of IMD": "#F A 1 0 0 3 0 1\n#C number x y z Radius\n#E\n" + FIVE,
     "the program's #format": "#format id_x_y_z_r\n# id x y z d\n" + FIVE,

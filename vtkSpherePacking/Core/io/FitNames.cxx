@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <iterator>
 #include <optional>
 #include <set>
 
@@ -88,8 +89,9 @@ Names Split(std::string_view line, Between between)
     {
       name = name.substr(1, name.size() - 2);
     }
-    const bool unit = !name.empty() && (name.front() == '(' || name.front() == '[') &&
-      (name.back() == ')' || name.back() == ']') && !IsWhole(name.substr(1, name.size() - 2));
+    const bool bracket = !name.empty() && (name.front() == '(' || name.front() == '[');
+    const bool unit = bracket && BracketEnd(name, 0) == name.size() - 1 &&
+      !IsWhole(name.substr(1, name.size() - 2));
     const bool gap = between == Between::Anything || between == Between::WideGaps;
     if (!name.empty() ? !unit || !gap : !gap)
     {
@@ -233,25 +235,57 @@ Names WithoutColons(Names names)
   return names;
 }
 
-// Without units, if these are of one length; names of columns are among them otherwise.
-Names WithoutUnits(const Names& names)
+// Where the unit of the name at `i` ends: after "mm" or "in mm" behind it, or else after the name.
+std::size_t UnitEnd(const Names& names, std::size_t i)
 {
-  Names rest;
+  const std::size_t unit = i + (i + 1 < names.size() && names[i + 1] == "in" ? 2 : 1);
+  return unit < names.size() && IsUnit(names[unit]) ? unit + 1 : i + 1;
+}
+
+// The unit of length that stands behind each name of the sphere, or nothing. Red has none.
+std::string UnitOfSphere(const Names& names)
+{
+  std::vector<NameMeaning> meanings;
+  std::transform(names.begin(), names.end(), std::back_inserter(meanings), MeaningOfName);
+  const auto has = [&](NameMeaning::Kind kind)
+  {
+    return std::any_of(meanings.begin(), meanings.end(),
+      [kind](const NameMeaning& meaning) { return meaning.What == kind; });
+  };
+  const bool colors = has(NameMeaning::Green) && has(NameMeaning::Blue);
   std::string length;
   for (std::size_t i = 0; i < names.size(); ++i)
   {
-    const bool in = names[i] == "in" && i + 1 < names.size() && IsUnit(names[i + 1]);
-    if (rest.empty() || !(in || IsUnit(names[i])))
+    const std::size_t end = UnitEnd(names, i);
+    const std::string unit = end > i + 1 ? LengthUnit(names[end - 1]) : std::string();
+    const bool red = colors && meanings[i].IsLetter && unit.empty();
+    if (!IsOfSphere(meanings[i]) || red)
     {
-      rest.push_back(names[i]);
       continue;
     }
-    const std::string unit = LengthUnit(names[i]);
-    if (!unit.empty() && !length.empty() && unit != length)
+    if (unit.empty() || (!length.empty() && unit != length))
     {
-      return names;
+      return {};
     }
-    length = unit.empty() ? length : unit;
+    length = unit;
+  }
+  return length;
+}
+
+// Without units, if all of the sphere have one of the same length, or if one ends the line for all.
+// Another length among them is a name, as is m at the end: that may be a mass.
+Names WithoutUnits(const Names& names)
+{
+  const std::string length = UnitOfSphere(names);
+  Names rest;
+  for (std::size_t i = 0; i < names.size();)
+  {
+    rest.push_back(names[i]);
+    const std::size_t end = UnitEnd(names, i);
+    const std::string unit = LengthUnit(names[end - 1]);
+    const bool ofEach = !length.empty() && (unit == length || unit.empty());
+    const bool ofAll = end == names.size() && (end == i + 3 || names[end - 1] != "m");
+    i = end > i + 1 && (ofEach || ofAll) ? end : i + 1;
   }
   return rest;
 }
@@ -288,16 +322,27 @@ public:
   {
   }
 
-  // Reads names in all ways that words may belong together.
   void Try(const Names& names)
   {
-    this->TryUnits(names);
+    this->Add(WithoutColons(names));
     if (const auto numbered = TakeNumbers(names))
     {
       if (const Names placed = InPlace(*numbered, this->Count); !placed.empty())
       {
         this->Add(placed);
       }
+    }
+  }
+
+  // Between blanks, words may belong together. What may be one name of two words is not read as two
+  // names, too.
+  void TryWords(const Names& words)
+  {
+    const Names joined = JoinTwoWords(words);
+    this->Try(joined);
+    if (const Names names = WithoutUnits(joined); names.size() != joined.size())
+    {
+      this->Add(WithoutColons(names));
     }
   }
 
@@ -318,22 +363,6 @@ public:
   }
 
 private:
-  // What may be one name of two words is not read as two names, too.
-  void TryUnits(const Names& names)
-  {
-    const Names joined = JoinTwoWords(names);
-    this->Add(WithoutColons(joined));
-    this->AddShorter(WithoutUnits(joined), joined);
-  }
-
-  void AddShorter(const Names& shorter, const Names& names)
-  {
-    if (shorter.size() != names.size())
-    {
-      this->Add(WithoutColons(shorter));
-    }
-  }
-
   void Add(const Names& names)
   {
     if (names.size() != this->Count)
@@ -431,16 +460,18 @@ NamesFit FitNames(std::string_view line, std::size_t count, Radii radii)
   }
   // Commas, tabs and wide gaps say more than single blanks, which may be within names.
   Readings readings(count, radii);
-  for (const Between between :
-    { Between::Commas, Between::Tabs, Between::WideGaps, Between::Anything })
+  for (const std::string_view names : lines)
   {
-    if (between == Between::Anything && readings.Fit())
-    {
-      break;
-    }
-    for (const std::string_view names : lines)
+    for (const Between between : { Between::Commas, Between::Tabs, Between::WideGaps })
     {
       readings.Try(Split(names, between));
+    }
+  }
+  if (!readings.Fit())
+  {
+    for (const std::string_view names : lines)
+    {
+      readings.TryWords(Split(names, Between::Anything));
     }
   }
   NamesFit fit = readings.Result();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/TableDetector.h"
 
+#include "io/FitComments.h"
 #include "io/GivenColumns.h"
 #include "io/NamelessColumns.h"
 #include "io/PackingFileError.h"
