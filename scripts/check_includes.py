@@ -17,6 +17,7 @@ from pathlib import Path
 PLAIN = {
     "base": (),
     "accel": ("base",),
+    "contacts": ("base",),
     "trace": ("base", "accel"),
     "light": ("base", "accel", "trace"),
     "metaballs/field": ("base",),
@@ -32,7 +33,11 @@ CORE = PLAIN | {
     "": (*PLAIN, "bridge", "io"),
 }
 RENDERING = {"impostor": (), "": ("impostor",)}
-INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"')
+COMMENT = r"(?:/\*.*?\*/\s*)*"
+INCLUDE = re.compile(rf"""^\s*{COMMENT}#\s*{COMMENT}include\s*{COMMENT}([<"])([^>"]+)[>"]""")
+# What stands in angle brackets and is no header of the language or the system.
+OURS = re.compile("vtk|" + "|".join(f"{room}/" for room in (*CORE, *RENDERING) if room))
+NO_SOURCES = {".glsl", ".module", ".txt"}
 
 
 def room_of(path: Path) -> str:
@@ -41,8 +46,10 @@ def room_of(path: Path) -> str:
 
 
 def includes_of(path: Path) -> list[tuple[int, str]]:
+    """Line and name of what a file includes, but for the headers of the language and the system."""
     lines = path.read_text("utf-8").splitlines()
-    return [(i, m[1]) for i, line in enumerate(lines, 1) if (m := INCLUDE.match(line))]
+    found = [(i, m[1], m[2]) for i, line in enumerate(lines, 1) if (m := INCLUDE.match(line))]
+    return [(i, name) for i, sign, name in found if sign == '"' or OURS.match(name)]
 
 
 def faults_of(module: Path, rooms: dict[str, tuple[str, ...]], file: Path) -> list[str]:
@@ -59,6 +66,8 @@ def faults_of(module: Path, rooms: dict[str, tuple[str, ...]], file: Path) -> li
                 allowed = ", ".join(f"{r}/" for r in rooms[room]) or "no other room"
                 faults.append(f"{where} in {room}/, expected its own files or those of {allowed}")
         # Generated headers, those of VTK, and the wrapped classes of the other module.
+        elif module.name == "Core" and (module.parent / "Rendering" / included).is_file():
+            faults.append(f"{where} of Rendering, which lies above")
         elif room in PLAIN:
             faults.append(f"{where}, expected no VTK in {room}/")
         elif "/" in included and not included.startswith("vtksys/"):
@@ -93,7 +102,9 @@ def circle_in(module: Path) -> list[str]:
 def main(folder: Path) -> int:
     faults = []
     for module, rooms in ((folder / "Core", CORE), (folder / "Rendering", RENDERING)):
-        files = sorted(path for path in module.rglob("*") if path.suffix in (".h", ".cxx"))
+        files = sorted(
+            path for path in module.rglob("*") if path.is_file() and path.suffix not in NO_SOURCES
+        )
         for file in files:
             faults += faults_of(module, rooms, file)
         if circle := circle_in(module):

@@ -86,6 +86,7 @@ REAL = {
     "helix.pqr": "apbs_membrane-helix-8.pqr",
     "planets.json": "starscape_solar-system.json",
     "positions.npz": "fresnel_spheres.npz",
+    "protein.pdb": "ngl_3J6R.pdb",
     "tree.sph": "cellpack_test.sph",
 }
 ABSENT = "the real input is absent: "

@@ -5,13 +5,14 @@ A packing is a :class:`pyvista.PolyData`: its points are the centres of the sphe
 
 - ``pyvista.read(path)`` and ``packing.save(path)``: files of packings
 - ``packing.packing``: the accessor, with ``ray_cast``, ``path_trace``, ``pick``, ``metaballs``,
-  ``metaball_field``, ``bvh_boxes``, ``grid_boxes``, ``bounds``, ``plot``; see PackingAccessor
-- ``plotter.packing``: the component, with ``add``, ``add_metaballs``, ``path_trace``,
-  ``screenshot``; see PackingComponent
+  ``metaball_field``, ``bvh_boxes``, ``grid_boxes``, ``contacts``, ``wrap``, ``replicate``,
+  ``ghosts``, ``bounds``, ``plot``; see PackingAccessor
+- ``plotter.packing``: the component, with ``add``, ``add_contacts``, ``add_metaballs``,
+  ``path_trace``, ``screenshot``; see PackingComponent
 
 Functions, all in ``spherepacking``:
 
-- reading and writing: ``read``, ``write``
+- reading and writing: ``read``, ``steps`` for the steps of a run, ``write``
 - packing: ``pack`` fills a closed surface, ``apollonian`` makes the Apollonian packing
 - pictures: ``read_image``, ``write_image``, ``write_render``, ``compare_images``
 
@@ -29,7 +30,8 @@ if TYPE_CHECKING:
     from .files.errors import PackingFileError
     from .files.exr import write_render
     from .files.image import ImageDifference, compare_images, read_image, write_image
-    from .files.readers import SpherePackingReader, read
+    from .files.readers import SpherePackingReader
+    from .files.steps import PackingSteps, read, steps
     from .files.writers import write
     from .make.apollonian import apollonian
     from .make.pack import pack
@@ -48,6 +50,7 @@ __all__ = [
     "PackingAccessor",
     "PackingComponent",
     "PackingFileError",
+    "PackingSteps",
     "Pick",
     "SpherePackingMapper",
     "SpherePackingReader",
@@ -57,6 +60,7 @@ __all__ = [
     "pack",
     "read",
     "read_image",
+    "steps",
     "write",
     "write_image",
     "write_render",
@@ -71,6 +75,7 @@ _HOMES = {
     "PackingAccessor": ".accessor",
     "PackingComponent": ".plotter",
     "PackingFileError": ".files.errors",
+    "PackingSteps": ".files.steps",
     "Pick": ".trace.ray_cast",
     "SpherePackingMapper": ".draw.mapper",
     "SpherePackingReader": ".files.readers",
@@ -78,8 +83,9 @@ _HOMES = {
     "apollonian": ".make.apollonian",
     "compare_images": ".files.image",
     "pack": ".make.pack",
-    "read": ".files.readers",
+    "read": ".files.steps",
     "read_image": ".files.image",
+    "steps": ".files.steps",
     "write": ".files.writers",
     "write_image": ".files.image",
     "write_render": ".files.exr",
@@ -97,4 +103,4 @@ def __getattr__(name: str) -> object:
 
 
 def __dir__() -> list[str]:
-    return sorted([*globals(), *_HOMES, "__version__"])
+    return sorted({*__all__, "__version__", *(name for name in globals() if name[:2] == "__")})

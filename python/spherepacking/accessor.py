@@ -1,4 +1,4 @@
-"""The accessor ``packing`` of every PolyData: its points as spheres."""
+"""The accessor ``packing`` of every dataset: its points as spheres."""
 
 from __future__ import annotations
 
@@ -9,6 +9,8 @@ import numpy as np
 import pyvista as pv
 from pyvista.core._typing_core import BoundsTuple
 
+from .datasets import DatasetPacking, centres_of
+from .granular.accessor import GranularOfPacking
 from .look.look import Look
 from .metaballs.accessor import MetaballsOfPacking
 from .packing import check_radii
@@ -24,18 +26,26 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
     from pyvista.plotting._typing import ColorLike
 
+    from .radii import RadiusLike
     from .trace.ray_cast import Pick
     from .trace.sky import Sun
 
 
-@pv.register_dataset_accessor("packing", pv.PolyData)
-class PackingAccessor(BoxesOfPacking, MetaballsOfPacking):
+@pv.register_dataset_accessor("packing", pv.PartitionedDataSet)
+@pv.register_dataset_accessor("packing", pv.MultiBlock)
+@pv.register_dataset_accessor("packing", pv.DataSet)
+class PackingAccessor(BoxesOfPacking, GranularOfPacking, MetaballsOfPacking):
     """Points as centres of spheres, the point array ``radius`` as their radii.
+
+    Without one of that name, an array called radii, Radius, diameter, r, d or the like holds the
+    radii or diameters, the whole word before the short one. All methods that need radii have an
+    argument `radius`, which gives them: the name of a point array, one number, one per sphere, or
+    one per type, such as ``{"C": 1.7, "H": 1.1}``. The blocks of a MultiBlock are joined.
 
     Parameters
     ----------
-    packing : pyvista.PolyData
-        Centres (n, 3).
+    dataset : pyvista.DataSet or pyvista.MultiBlock
+        Its points are the centres (n, 3).
 
     Examples
     --------
@@ -45,20 +55,22 @@ class PackingAccessor(BoxesOfPacking, MetaballsOfPacking):
     9
     """
 
-    def __init__(self, packing: pv.PolyData) -> None:
-        self._packing = packing
+    def __init__(self, dataset: pv.DataSet | pv.MultiBlock) -> None:
+        self._dataset = dataset
+        self._spheres = DatasetPacking(dataset)
         self._ray_caster = RayCaster()
         self._path_tracer = PathTracer()
 
     @property
     def n_spheres(self) -> int:
         """Number of spheres."""
-        return self._packing.n_points
+        return len(self.centers)
 
     @property
     def centers(self) -> np.ndarray:
-        """Centres (n, 3), a view of the points."""
-        return self._packing.points
+        """Centres (n, 3), a view of the points; of a MultiBlock a copy."""
+        composite = not isinstance(self._dataset, pv.DataSet)
+        return (centres_of(self._dataset) if composite else self._dataset).points
 
     @property
     def radii(self) -> np.ndarray:
@@ -67,14 +79,15 @@ class PackingAccessor(BoxesOfPacking, MetaballsOfPacking):
         Raises
         ------
         KeyError
-            If there is no point array ``radius``.
+            If there is no such point array.
         TypeError, ValueError
             If its values are not radii.
         """
         if not self.n_spheres:
             return np.empty(0)
-        check_radii(self._packing)
-        return self._packing.point_data["radius"]
+        packing = self.with_radius()
+        check_radii(packing)
+        return packing.point_data["radius"]
 
     @property
     def bounds(self) -> BoundsTuple:
@@ -83,13 +96,14 @@ class PackingAccessor(BoxesOfPacking, MetaballsOfPacking):
         Without spheres it is that of an empty PolyData.
         """
         if not self.n_spheres:
-            return self._packing.bounds
+            return pv.PolyData().bounds
         from .backend import vtkSpherePackingInput
 
-        check_radii(self._packing)
+        packing = self.with_radius()
+        check_radii(packing)
         box = [0.0] * 6
-        array = self._packing.GetPointData().GetArray("radius")
-        vtkSpherePackingInput.ComputeBounds(self._packing, array, box)
+        array = packing.GetPointData().GetArray("radius")
+        vtkSpherePackingInput.ComputeBounds(packing, array, box)
         return BoundsTuple(*box)
 
     @property
@@ -101,11 +115,43 @@ class PackingAccessor(BoxesOfPacking, MetaballsOfPacking):
         with np.errstate(over="ignore"):
             return float(4.0 / 3.0 * np.pi * np.sum(np.asarray(self.radii, dtype=float) ** 3))
 
-    def save(self, path: str | os.PathLike[str]) -> None:
+    def with_radius(self, radius: RadiusLike | None = None) -> pv.PolyData:
+        """Return the spheres as a PolyData with a point array ``radius``.
+
+        Parameters
+        ----------
+        radius : str, float, array_like or mapping, optional
+            Name of the point array with the radii; one radius for all; one per sphere (n,); or one
+            per type, by numbers of the array ``type`` or by texts of ``type_name``, ``element`` or
+            another.
+
+        Returns
+        -------
+        pyvista.PolyData
+            The dataset itself if it is a PolyData that has them, else another one that shares its
+            arrays.
+
+        Raises
+        ------
+        KeyError
+            If there is no such array, or a type without a radius.
+        TypeError, ValueError
+            If these are not radii.
+
+        Examples
+        --------
+        >>> import pyvista as pv
+        >>> grid = pv.ImageData(dimensions=(2, 2, 2))
+        >>> grid.packing.with_radius(0.5).packing.bounds[:2]
+        (-0.5, 1.5)
+        """
+        return self._spheres.with_radius(radius)
+
+    def save(self, path: str | os.PathLike[str], *, radius: RadiusLike | None = None) -> None:
         """Write the packing, see :func:`spherepacking.write`."""
         from .files.writers import write
 
-        write(self._packing, path)
+        write(self._dataset, path, radius=radius)
 
     def ray_cast(
         self,
@@ -123,6 +169,7 @@ class PackingAccessor(BoxesOfPacking, MetaballsOfPacking):
         log_scale: bool = False,
         color: ColorLike | None = None,
         random_colors: bool = False,
+        radius: RadiusLike | None = None,
         progress: bool = False,
     ) -> pv.ImageData:
         """Make a picture by casting rays, without a window.
@@ -166,6 +213,8 @@ class PackingAccessor(BoxesOfPacking, MetaballsOfPacking):
             One colour for all spheres.
         random_colors : bool, default: False
             One random colour per sphere, whatever `scalars` and `color` are.
+        radius : str, float, array_like or mapping, optional
+            As in :meth:`with_radius`.
         progress : bool, default: False
             Show a progress bar. Ctrl-C stops the work with or without.
 
@@ -189,7 +238,7 @@ class PackingAccessor(BoxesOfPacking, MetaballsOfPacking):
         Raises
         ------
         KeyError
-            If there is no point array ``radius``, or none of the name `scalars`.
+            If there is no such point array of radii, or none of the name `scalars`.
         TypeError
             If an argument has the wrong type.
         ValueError
@@ -208,7 +257,7 @@ class PackingAccessor(BoxesOfPacking, MetaballsOfPacking):
         (20000, 4)
         """
         return self._ray_caster.cast(
-            self._packing,
+            self.with_radius(radius),
             camera,
             window_size,
             Look(scalars, rgb, cmap, clim, log_scale, color, random_colors),
@@ -248,6 +297,7 @@ class PackingAccessor(BoxesOfPacking, MetaballsOfPacking):
         color: ColorLike | None = None,
         random_colors: bool = False,
         denoise: bool = False,
+        radius: RadiusLike | None = None,
         progress: bool = False,
     ) -> pv.ImageData:
         """Make a picture in the light of a sky and a sun, by following paths of light.
@@ -309,6 +359,8 @@ class PackingAccessor(BoxesOfPacking, MetaballsOfPacking):
             Estimate the picture without noise by Open Image Denoise (extra ``denoise``), as the
             array ``denoised`` (float32, 3, linear), and take ``color`` from it, unless there are
             pixels without a sample.
+        radius : str, float, array_like or mapping, optional
+            As in :meth:`with_radius`.
         progress : bool, default: False
             Show a progress bar. Ctrl-C stops the work with or without.
 
@@ -343,7 +395,7 @@ class PackingAccessor(BoxesOfPacking, MetaballsOfPacking):
         FileNotFoundError, OSError
             If the image of the sky cannot be read.
         KeyError
-            If there is no point array ``radius``, or none of the name `scalars`.
+            If there is no such point array of radii, or none of the name `scalars`.
         TypeError
             If an argument has the wrong type.
         ValueError
@@ -382,7 +434,7 @@ class PackingAccessor(BoxesOfPacking, MetaballsOfPacking):
             progress=progress,
         )
         look = Look(scalars, rgb, cmap, clim, log_scale, color, random_colors)
-        return self._path_tracer.trace(self._packing, camera, window_size, look, options)
+        return self._path_tracer.trace(self.with_radius(radius), camera, window_size, look, options)
 
     def pick(
         self,
@@ -390,6 +442,8 @@ class PackingAccessor(BoxesOfPacking, MetaballsOfPacking):
         window_size: Sequence[int],
         x: float,
         y: float,
+        *,
+        radius: RadiusLike | None = None,
     ) -> Pick | None:
         """Find the sphere that is seen at a point of the picture.
 
@@ -402,6 +456,8 @@ class PackingAccessor(BoxesOfPacking, MetaballsOfPacking):
         x, y : float
             The point, in pixels from the lower left corner; (0.5, 0.5) is the middle of the first
             pixel.
+        radius : str, float, array_like or mapping, optional
+            As in :meth:`with_radius`.
 
         Returns
         -------
@@ -411,7 +467,7 @@ class PackingAccessor(BoxesOfPacking, MetaballsOfPacking):
         Raises
         ------
         KeyError
-            If there is no point array ``radius``.
+            If there is no such point array of radii.
         TypeError, ValueError
             If an argument is invalid, or the point lies outside the picture.
 
@@ -424,7 +480,7 @@ class PackingAccessor(BoxesOfPacking, MetaballsOfPacking):
         >>> found.normal.shape
         (3,)
         """
-        return self._ray_caster.pick(self._packing, camera, window_size, x, y)
+        return self._ray_caster.pick(self.with_radius(radius), camera, window_size, x, y)
 
     def plot(self, **kwargs: Any) -> Any:
         """Show the packing in a window, or offscreen in a picture.
@@ -458,7 +514,7 @@ class PackingAccessor(BoxesOfPacking, MetaballsOfPacking):
         try:
             if background is not None:
                 plotter.set_background(background)
-            plotter.packing.add(self._packing, **look)
+            plotter.packing.add(self._dataset, **look)
             return plotter.show(**kwargs)
         except BaseException:
             plotter.close()

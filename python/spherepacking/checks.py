@@ -61,6 +61,12 @@ STEP_LIMITS = Limits(0.001, 60.0)
 """Seconds between two steps of a live picture: a shorter one shows nothing new."""
 
 
+def kind_of(value: object) -> str:
+    """Name of the class of a value with its article, for messages: "an ImageData"."""
+    name = type(value).__name__
+    return f"{'an' if name[0] in 'AEIOaeio' else 'a'} {name}"
+
+
 def number_of(name: str, value: float, low: float, high: float) -> float:
     """`value` as a float from `low` to `high`, or a ValueError; neither text nor truth value."""
     real = isinstance(value, numbers.Real) and not isinstance(value, bool)

@@ -1,4 +1,4 @@
-"""What is known about a packing: that it is one, its radii, and whether it has changed."""
+"""What is known about a packing: its radii, and whether it has changed."""
 
 from __future__ import annotations
 
@@ -6,31 +6,19 @@ import zlib
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
-import pyvista as pv
-
-from .checks import per_sphere, storable
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
-
-
-def packing_of(packing: object) -> pv.PolyData:
-    """`packing` as a PolyData, or a TypeError."""
-    wrapped = pv.wrap(packing) if hasattr(packing, "IsA") else packing
-    if not isinstance(wrapped, pv.PolyData):
-        raise TypeError(
-            f"packing: found a {type(packing).__name__}, expected a PolyData whose points are the "
-            "centres of the spheres"
-        )
-    return wrapped
+    import pyvista as pv
 
 
 def no_such_array(argument: str, name: str, packing: pv.PolyData) -> KeyError:
     """Make the error that says which arrays there are."""
     there = ", ".join(packing.point_data.keys()) or "none"
     hint = " (there is a cell array of that name)" if name in packing.cell_data else ""
+    advice = "; radius='NAME' names the one with the radii" if argument == "radius" else ""
     return KeyError(
         f"{argument}: the packing has no point array {name!r}{hint}, its point arrays are: {there}"
+        f"{advice}"
     )
 
 
@@ -62,45 +50,6 @@ def check_radii(packing: pv.PolyData, name: str = "radius") -> None:
     if check.FindRadii(packing, name) is None and (message := check.GetMessage()):
         numeric = packing.point_data[name].dtype.kind in "iuf"
         raise (ValueError if numeric else TypeError)(f"radius: {message}")
-
-
-def with_radii(packing: pv.PolyData, radius: str | ArrayLike) -> tuple[pv.PolyData, str]:
-    """Check the radii and return the packing to draw and the name of its radius array.
-
-    Parameters
-    ----------
-    packing : pyvista.PolyData
-        Centres (n, 3).
-    radius : str or array_like
-        Name of a point array, n radii, or one radius for all spheres.
-
-    Returns
-    -------
-    tuple[pyvista.PolyData, str]
-        `packing` itself when `radius` is a name, else a shallow copy that has the array.
-
-    Raises
-    ------
-    KeyError, TypeError, ValueError
-        As :func:`check_radii`.
-    """
-    if isinstance(radius, str):
-        check_radii(packing, radius)
-        return packing, radius
-    values = np.asarray(radius)
-    if values.dtype.kind not in "iuf":
-        raise TypeError(
-            f"radius: found {values.dtype} values, expected real numbers or the name of a point "
-            "array"
-        )
-    values = storable("radius", values)
-    if values.ndim == 0:
-        values = np.full(packing.n_points, float(values))
-    values = per_sphere("radius", values, packing.n_points)
-    packing = packing.copy(deep=False)
-    packing.point_data["radius"] = values
-    check_radii(packing)
-    return packing, "radius"
 
 
 class ModifiedTimes(NamedTuple):

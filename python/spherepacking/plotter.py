@@ -9,13 +9,14 @@ import numpy as np
 import pyvista as pv
 
 from . import checks
+from .datasets import packing_of, with_radii
+from .granular.plotter import GranularOfPlotter
 from .look.color_map import color_map_of, widened
 from .look.look import Look
 from .look.material import property_of
 from .look.scalar_bar import scalar_bar_of
 from .look.scalars import opacity_of, scalars_of
 from .metaballs.plotter import MetaballsOfPlotter
-from .packing import packing_of, with_radii
 
 if TYPE_CHECKING:
     import os
@@ -29,12 +30,13 @@ if TYPE_CHECKING:
     from .draw.mapper import SpherePackingMapper
     from .look.color_map import ColorMap
     from .look.scalars import Opacity, Scalars
+    from .radii import RadiusLike
     from .trace.live import LivePicture
     from .trace.path_trace import PathOptions
 
 
 @pv.register_plotter_component("packing")
-class PackingComponent(MetaballsOfPlotter):
+class PackingComponent(GranularOfPlotter, MetaballsOfPlotter):
     """Adds sphere packings to a plotter; every plotter has one as ``plotter.packing``.
 
     Parameters
@@ -69,14 +71,14 @@ class PackingComponent(MetaballsOfPlotter):
 
     def add(
         self,
-        packing: pv.PolyData,
+        packing: pv.DataSet | pv.MultiBlock,
         *,
         scalars: str | ArrayLike | None = None,
         cmap: str | list[ColorLike] | pv.LookupTable | None = None,
         clim: Sequence[float] | float | None = None,
         color: ColorLike | None = None,
         opacity: float | str | ArrayLike = 1.0,
-        radius: str | ArrayLike = "radius",
+        radius: RadiusLike | None = None,
         name: str | None = None,
         rgb: bool | None = None,
         component: int | None = None,
@@ -97,6 +99,7 @@ class PackingComponent(MetaballsOfPlotter):
         specular: float | None = None,
         specular_power: float | None = None,
         user_matrix: ArrayLike | None = None,
+        show_cell: bool | ColorLike = False,
         pickable: bool = True,
         reset_camera: bool | None = None,
         render: bool = True,
@@ -110,8 +113,8 @@ class PackingComponent(MetaballsOfPlotter):
 
         Parameters
         ----------
-        packing : pyvista.PolyData
-            Its points (n, 3) are the centres of the spheres. It may be empty.
+        packing : pyvista.DataSet or pyvista.MultiBlock
+            Its points (n, 3) are the centres of the spheres; blocks are joined. It may be empty.
         scalars : str or array_like, optional
             Name of a point array, or an array (n,), (n, 3) or (n, 4), to colour by. If neither
             `scalars` nor `color` is given, the active point scalars are used; those of a packing
@@ -128,9 +131,11 @@ class PackingComponent(MetaballsOfPlotter):
             another mix in the right order after :meth:`pyvista.Plotter.enable_depth_peeling`; with
             OSMesa that needs ``pyvista.global_theme.multi_samples = 1`` before the plotter is made,
             for meshes too (https://github.com/pyvista/pyvista/issues/4867).
-        radius : str or array_like, default: "radius"
-            Radii in the unit of the points: the name of a point array, an array (n,), or one
-            number for all spheres. Zero is legal and draws nothing.
+        radius : str, float, array_like or mapping, optional
+            Radii in the unit of the points: the name of a point array, an array (n,), one number
+            for all spheres, or one per type, such as ``{"C": 1.7, "H": 1.1}``. By default the
+            array ``radius``, or else one that is called radii, diameter, r, d or the like. Zero is
+            legal and draws nothing.
         name : str, optional
             Name of the actor. An actor of that name is replaced.
         rgb : bool, optional
@@ -163,6 +168,9 @@ class PackingComponent(MetaballsOfPlotter):
         user_matrix : array_like, optional
             Transformation (4, 4) of the actor: rotation, mirroring, translation and a uniform
             scale, since spheres stay spheres.
+        show_cell : bool or ColorLike, default: False
+            Draw the edges of the packing's cell (field arrays ``cell_vectors``, ``cell_origin``),
+            in the theme's colour of outlines or this one.
         pickable : bool, default: True
             Whether the actor can be picked.
         reset_camera : bool, optional
@@ -206,11 +214,12 @@ class PackingComponent(MetaballsOfPlotter):
         """
         plotter = self.plotter
         _check_scene(plotter, name)
-        shown, radius_name = with_radii(packing_of(packing), radius)
+        shown, radius_name = with_radii(packing, radius)
         matrix = checks.similarity_of(user_matrix)
         prop = property_of(plotter.theme, lighting, ambient, diffuse, specular, specular_power)
         values = scalars_of(shown, scalars, rgb, active=color is None)
         plain = checks.color_of("color", color)
+        cell = self._cell_to_show(shown, show_cell)
         color_map = color_map_of(
             values,
             plotter.theme,
@@ -239,6 +248,7 @@ class PackingComponent(MetaballsOfPlotter):
         )
         actor = pv.Actor(mapper, prop)
         actor.user_matrix = matrix
+        self._show_cell(cell, name, matrix, reset_camera)
         self._show(actor, shown, bar, name, pickable, reset_camera, render)
         return actor
 
@@ -271,7 +281,7 @@ class PackingComponent(MetaballsOfPlotter):
 
     def path_trace(
         self,
-        packing: pv.PolyData,
+        packing: pv.DataSet | pv.MultiBlock,
         *,
         samples: int = 64,
         step: float = 0.1,
@@ -283,6 +293,8 @@ class PackingComponent(MetaballsOfPlotter):
         color: ColorLike | None = None,
         show_scalar_bar: bool | None = None,
         scalar_bar_args: dict[str, Any] | None = None,
+        show_cell: bool | ColorLike = False,
+        radius: RadiusLike | None = None,
         name: str | None = None,
         reset_camera: bool | None = None,
         **light: Any,
@@ -296,15 +308,17 @@ class PackingComponent(MetaballsOfPlotter):
 
         Parameters
         ----------
-        packing : pyvista.PolyData
-            Centres (n, 3) and point array ``radius`` (n,).
+        packing : pyvista.DataSet or pyvista.MultiBlock
+            Centres (n, 3) and radii, as in :meth:`add`.
         samples : int, default: 64
             Samples per pixel of the finished picture.
         step : float, default: 0.1
             Seconds between two pictures while it becomes better, from 0.001 to 60.
-        scalars, rgb, cmap, clim, log_scale, color, show_scalar_bar, scalar_bar_args, name, \
-        reset_camera
+        scalars, rgb, cmap, clim, log_scale, color, show_scalar_bar, scalar_bar_args, show_cell, \
+        name, reset_camera
             As in :meth:`add`; without `scalars` and `color` the spheres are white.
+        radius : str, float, array_like or mapping, optional
+            Radii, as in :meth:`add`.
         **light : dict, optional
             `max_bounces`, `albedo`, `sky`, `sun`, `seed`, `exposure`, `filmic`, `denoise`,
             `structure` and others of ``packing.packing.path_trace``.
@@ -344,7 +358,7 @@ class PackingComponent(MetaballsOfPlotter):
         if scalars is None and color is None:
             color = "white"
         look = Look(scalars, rgb, cmap, clim, log_scale, color)
-        packing = packing_of(packing)
+        packing = packing_of(packing, radius)
         # Whatever is wrong is found with a single pixel, and the picture goes on with its tracer,
         # which has the acceleration structure.
         tracer = PathTracer()
@@ -355,6 +369,7 @@ class PackingComponent(MetaballsOfPlotter):
             **look.kwargs(),
             show_scalar_bar=show_scalar_bar,
             scalar_bar_args=scalar_bar_args,
+            show_cell=show_cell,
             name=name,
             reset_camera=reset_camera,
             render=False,

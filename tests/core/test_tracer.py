@@ -1,4 +1,4 @@
-"""Pictures of vtkSpherePackingTracer: rays of the camera, structures, tiles, samples, colours."""
+"""Pictures of vtkSpherePackingTracer: rays of the camera, structures, tiles, samples, colors."""
 
 import os
 import subprocess
@@ -219,9 +219,9 @@ def test_colors_of_scalars_and_light(rng):
     tracer.SetLookupTable(table)
     found = picture(tracer)
     hit = found["sphere_id"] >= 0
-    colours = np.round(255 * table(found["sphere_id"][hit].astype(float))[:, :3])
+    colors = np.round(255 * table(found["sphere_id"][hit].astype(float))[:, :3])
     light = np.abs(found["normal"][hit] @ (np.ones(3) / np.sqrt(3)))  # headlight from (3, 3, 3)
-    expected = colours * light[:, None]
+    expected = colors * light[:, None]
     assert np.abs(found["color"][hit, :3] - expected).max() < 0.51
     assert (found["color"][hit, 3] == 255).all()
 
@@ -239,11 +239,11 @@ def test_one_color_and_random_ones(rng):
     # Where a sphere faces the camera its colour itself is seen.
     bright = hit & (found["color"][:, 0] > 240)
     ids, at = np.unique(random["sphere_id"][bright], return_index=True)
-    colours = random["color"][bright][at, :3]
+    colors = random["color"][bright][at, :3]
     assert len(ids) > 20
-    assert len(np.unique(colours, axis=0)) > 0.9 * len(ids)
-    assert colours.min() > 50
-    assert colours.std(axis=0).min() > 30
+    assert len(np.unique(colors, axis=0)) > 0.9 * len(ids)
+    assert colors.min() > 50
+    assert colors.std(axis=0).min() > 30
 
 
 @pytest.mark.parametrize("points", [np.float32, np.float64, np.int32])

@@ -83,6 +83,21 @@ def chain(rng):
     write("chain.pqr", [*lines, "TER", "END", ""])
 
 
+def protein(rng):
+    """Atoms of two chains in the columns of the Protein Data Bank, hydrogens among them."""
+    lines = ["HEADER    MADE FOR TESTS", "REMARK 350   BIOMT1   1  1.000000  0.000000  0.000000"]
+    names = (("N", "N"), ("CA", "C"), ("C", "C"), ("O", "O"), ("HA", "H"), ("SG", "S"))
+    for i in range(1, 49):
+        x, y, z = 80 + 2.1 * i + rng.normal(), rng.normal(), -200 * rng.uniform()
+        name, element = names[i % len(names)]
+        lines.append(
+            f"ATOM  {i:5}  {name:3} {RESIDUES[i // len(names) % len(RESIDUES)]} {'AB'[i > 24]}"
+            f"{i // len(names) + 9:4}    {x:8.3f}{y:8.3f}{z:8.3f}  1.00  0.00"
+            f"          {element:>2}  "
+        )
+    write("protein.pdb", [*lines, "TER", "END", ""])
+
+
 def equal_spheres(rng):
     """Equal spheres on a shaken lattice, with their diameters, and the .nfo beside them."""
     lattice = np.stack(np.meshgrid(*[np.arange(6)] * 3), axis=-1).reshape(-1, 3) * 3.4
@@ -160,6 +175,7 @@ def main():
     planets(rng)
     surfaces()
     np.savez(FOLDER / "positions.npz", position=rng.uniform(-1, 1, (20, 3)).astype(np.float32))
+    protein(rng)
 
 
 if __name__ == "__main__":

@@ -38,6 +38,11 @@ def test_the_plan_holds(capsys):
         ("Core/packer/Side.h", '\n#include "trace/High.h"\n', "Side.h:2: found trace/High.h"),
         ("Core/trace/Vtk.h", '#include "vtkPolyData.h"\n', "expected no VTK in trace/"),
         ("Core/bridge/Up.cxx", '#include "vtkOwn.h"\n', "found vtkOwn.h in bridge/"),
+        ("Core/base/Low.h", "#include <trace/High.h>\n", "Low.h:1: found trace/High.h in base/"),
+        ("Core/trace/Vtk.h", "#include <vtkPolyData.h>\n", "expected no VTK in trace/"),
+        ("Core/base/Low.hpp", '#include "trace/High.h"\n', "Low.hpp:1: found trace/High.h"),
+        ("Core/base/Low.h", '/* x */ # include "trace/High.h"\n', "Low.h:1: found trace/High.h"),
+        ("Core/bridge/Up.cxx", '#include "vtkMapper.h"\n', "found vtkMapper.h of Rendering"),
         ("Core/attic/Old.h", "", "found the room attic"),
         ("Rendering/impostor/Up.h", '#include "vtkMapper.h"\n', "found vtkMapper.h in impostor/"),
         ("Rendering/Other.h", '#include "trace/High.h"\n', "expected a wrapped class"),
@@ -57,6 +62,36 @@ def test_an_include_against_the_plan(tmp_path, capsys, name, text, told):
     assert check.main(tmp_path) == 0
     write(tmp_path, {name: text})
     assert check.main(tmp_path) == 1
+    assert told in capsys.readouterr().out
+
+
+def test_no_import_goes_through_the_root(capsys):
+    assert script("check_imports").main(ROOT / "python" / "spherepacking") == 0
+    assert capsys.readouterr().out == ""
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "told"),
+    [
+        ("checks.py", "from spherepacking import pack\n", "an import of pack from"),
+        ("checks.py", "def f():\n    import spherepacking\n", "checks.py:2: found"),
+        ("trace/sky.py", "from .. import read, __version__\n", "an import of read from"),
+        ("trace/sky.py", "import importlib\nimportlib.import_module('x.cli')\n", "sky.py:2: found"),
+    ],
+)
+def test_an_import_through_the_root(tmp_path, capsys, name, text, told):
+    folder = tmp_path / "spherepacking"
+    good = {
+        "__init__.py": "import importlib\nimportlib.import_module('.checks')\n",
+        "checks.py": "from spherepacking import __version__\n",
+        "trace/sky.py": "from .. import __version__, checks\nfrom . import rays\n",
+        "trace/rays.py": "",
+    }
+    write(folder, good)
+    check = script("check_imports")
+    assert check.main(folder) == 0
+    write(folder, {name: text})
+    assert check.main(folder) == 1
     assert told in capsys.readouterr().out
 
 

@@ -67,7 +67,7 @@ def test_no_overlap_and_all_inside():
     assert (np.linalg.norm(centers, axis=1) + radii).max() <= 1.0 + 1e-12
 
 
-def test_neighbours_touch_exactly():
+def test_neighbors_touch_exactly():
     centers, radii, level = spheres(5)
     gap = np.abs(gaps(centers, radii))
     rim = np.abs(1.0 - np.linalg.norm(centers, axis=1) - radii)

@@ -101,3 +101,46 @@ def test_what_does_not_fit_is_an_exception(call, tmp_path):
     ours += [line for line in told if line.startswith("PackingFileError: ")]
     assert ours
     assert all("memory" in line for line in ours)
+
+
+DEVELOP = """
+import re, resource
+from pathlib import Path
+
+import numpy as np
+import pyvista as pv
+import spherepacking
+from spherepacking.vtkSpherePackingCore import vtkSpherePackingPathTracer
+
+tracer = vtkSpherePackingPathTracer()
+tracer.SetInputData(spherepacking.apollonian(3))
+camera = pv.Camera()
+camera.position, camera.focal_point = (3, 2.5, 2), (0, 0, 0)
+tracer.SetCamera(camera)
+tracer.SetNumberOfSamples(1)
+tracer.SetWindowSize(900, 700)
+tracer.Update()
+radiance = pv.convert_array(np.ones((900 * 700, 3), np.float32))
+color = pv.convert_array(np.zeros((900 * 700, 4), np.uint8))
+assert tracer.Develop(radiance, color)
+tracer.GetOutput().Initialize()
+size = 1024 * int(re.search(r"VmSize:\\s+(\\d+)", Path("/proc/self/status").read_text())[1])
+resource.setrlimit(resource.RLIMIT_AS, (size + 2**25, resource.RLIM_INFINITY))
+tracer.SetWindowSize(5000, 5000)
+tracer.Update()
+resource.setrlimit(resource.RLIMIT_AS, (resource.RLIM_INFINITY, resource.RLIM_INFINITY))
+assert "memory" in tracer.GetErrorMessage()
+assert not tracer.Develop(radiance, color)
+"""
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="the limit is Linux's")
+def test_a_picture_that_does_not_fit_leaves_nothing_to_develop():
+    run = subprocess.run(
+        [sys.executable, "-c", DEVELOP],
+        env=os.environ | MALLOC,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert run.returncode == 0, run.stderr[-2000:]

@@ -54,7 +54,7 @@ def test_limits():
 @pytest.mark.parametrize(
     ("kwargs", "error", "message"),
     [
-        ({"mesh": pv.ImageData(dimensions=(3, 3, 3))}, TypeError, "mesh: found a ImageData"),
+        ({"mesh": pv.ImageData(dimensions=(3, 3, 3))}, TypeError, "mesh: found an ImageData"),
         ({"mesh": None}, TypeError, "mesh: found a NoneType"),
         ({"mesh": pv.Plane()}, ValueError, "surface: found 40 open edges"),
         ({"mesh": pv.PolyData()}, ValueError, "surface: found no triangles"),

@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 import pyvista as pv
 import spherepacking
-from spherepacking.packing import ChangeDetector, check_radii, modified_times, with_radii
+from spherepacking.datasets import with_radii
+from spherepacking.packing import ChangeDetector, check_radii, modified_times
 
 
 @pytest.fixture

@@ -26,7 +26,7 @@ def test_words_are_those_of_add_mesh():
     ours = inspect.signature(PackingComponent.add).parameters
     theirs = inspect.signature(pv.Plotter.add_mesh).parameters
     new = ours.keys() - theirs.keys()
-    assert new == {"self", "packing", "radius"} - theirs.keys()
+    assert new == {"self", "packing", "radius", "show_cell"} - theirs.keys()
     different = {n for n in ours.keys() & theirs.keys() if ours[n].default != theirs[n].default}
     assert different == {"opacity"}  # 1.0 instead of None, which means 1.0
 

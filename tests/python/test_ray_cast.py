@@ -157,8 +157,9 @@ def test_refusals(spheres, kwargs, error, found):
 
 def test_no_radii(spheres):
     bare = pv.PolyData(np.array(spheres.points))
-    for accessor in (PackingAccessor(bare), PackingAccessor(spheres)):
-        accessor._packing.point_data.pop("radius", None)
+    for mesh in (bare, spheres):
+        accessor = PackingAccessor(mesh)
+        mesh.point_data.pop("radius", None)
         for _ in range(2):
             with pytest.raises(KeyError, match="radius"):
                 accessor.ray_cast(VIEW, SIZE)

@@ -48,7 +48,7 @@ def write(path, scratch):
     return done.stdout
 
 
-@pytest.mark.parametrize("name", ["a.png", "a.spheres", "a.csv"])
+@pytest.mark.parametrize("name", ["a.png", "a.spheres", "a.csv", "a.vtp"])
 def test_a_write_protected_file_is_not_replaced(folder, tmp_path, name):
     path = folder / name
     path.write_text("earlier work")
@@ -58,7 +58,7 @@ def test_a_write_protected_file_is_not_replaced(folder, tmp_path, name):
     assert os.listdir(folder) == [name]
 
 
-@pytest.mark.parametrize("name", ["a.png", "a.spheres", "a.csv"])
+@pytest.mark.parametrize("name", ["a.png", "a.spheres", "a.csv", "a.vtp"])
 def test_a_write_protected_folder(folder, tmp_path, name):
     folder.chmod(0o555)
     message = write(folder / name, tmp_path)
@@ -67,7 +67,7 @@ def test_a_write_protected_folder(folder, tmp_path, name):
     assert os.listdir(folder) == []
 
 
-@pytest.mark.parametrize("name", ["a.png", "a.spheres", "a.csv"])
+@pytest.mark.parametrize("name", ["a.png", "a.spheres", "a.csv", "a.vtp"])
 def test_what_may_be_written_is(folder, tmp_path, name):
     assert write(folder / name, tmp_path) == ""
     assert os.listdir(folder) == [name]

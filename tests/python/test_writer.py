@@ -57,3 +57,35 @@ def test_no_radii(tmp_path, capfd):
         spherepacking.write(pv.PolyData(np.eye(3)), path)
     assert path.read_text() == "precious"
     assert capfd.readouterr() == ("", "")
+
+
+@pytest.mark.parametrize("extension", ["vtp", "vtu", "vtk"])
+def test_files_of_vtk_hold_everything(tmp_path, rng, extension):
+    mesh = pv.PolyData(rng.normal(size=(5, 3)))
+    mesh["radius"] = rng.random(5)
+    mesh["velocity"] = rng.normal(size=(5, 3))
+    mesh["element"] = list("CHCON")
+    mesh.field_data["cell_vectors"] = np.diag([1.0, 2.0, 3.0])
+    path = tmp_path / f"a.{extension}"
+    path.write_text("earlier")
+    path.chmod(0o640)
+    spherepacking.write(mesh, path)
+    assert path.stat().st_mode & 0o777 == 0o640
+    assert list(tmp_path.iterdir()) == [path]
+    back = spherepacking.read(path)
+    assert np.array_equal(back.points, mesh.points)
+    for name in ("radius", "velocity", "element"):
+        assert np.array_equal(back[name], mesh[name])
+    assert np.array_equal(back.field_data["cell_vectors"], np.diag([1.0, 2.0, 3.0]))
+
+
+def test_any_dataset_with_given_radii(tmp_path):
+    path = tmp_path / "a.xyzr"
+    grid = pv.ImageData(dimensions=(2, 1, 1))
+    spherepacking.write(grid, path, radius=[0.25, 0.5])
+    assert spherepacking.read(path)["radius"].tolist() == [0.25, 0.5]
+    grid["Diameter"] = [1.0, 4.0]
+    spherepacking.write(pv.MultiBlock([grid, grid]), path)
+    assert spherepacking.read(path)["radius"].tolist() == [0.5, 2.0] * 2
+    with pytest.raises(spherepacking.PackingFileError, match=r"a\.xyzr: .*no point array 'size'"):
+        spherepacking.write(grid, path, radius="size")

@@ -174,15 +174,15 @@ TEXTS = {
     ),
     "csv, no row": ("p.csv", "x,y,z,r\n", None, "no sphere", "lines"),
     "pqr, no atom": ("p.pqr", "REMARK 1\nEND\n", None, "no sphere", "ATOM or HETATM records"),
-    "pqr, no radius": ("p.pqr", "ATOM 1 N GLY 1 1 2 3 0.5\n", 1, "9 columns", "10 or more"),
+    "pqr, no radius": ("p.pqr", "ATOM 1 N GLY 1 1 2 3 0.5\n", 1, "9 columns", "10 to 13"),
     "pqr, chain but no radius": (
         "p.pqr",
         "ATOM 1 N GLY A 12 1.0 2.0 3.0 0.5\n",
         1,
         "10 columns 'ATOM 1 N GLY A 12 1.0 2.0 3.0 0.5'",
-        "10 or more that end with x y z charge radius",
+        "10 to 13 that end with x y z charge radius",
     ),
-    "pqr, short": ("p.pqr", "REMARK\nATOM 1 2\n", 2, "3 columns 'ATOM 1 2'", "10 or more"),
+    "pqr, short": ("p.pqr", "REMARK\nATOM 1 2\n", 2, "3 columns 'ATOM 1 2'", "10 to 13"),
     "diameter in a comment of another length": (
         "p.spheres",
         "# x y z d and so on\n1 2 3 4 5\n",

@@ -200,7 +200,7 @@ def test_pqr(read_text):
 
 def test_the_content_tells_where_the_extension_does_not(read_text):
     pqr = "REMARK 1\nATOM 1 N GLY 1 1 2 3 0.5 4\n"
-    assert read_text(pqr, "p.txt").array_names == ["radius", "charge"]
+    assert read_text(pqr, "p.txt")["charge"].tolist() == [0.5]
     assert read_text("1 2 3 4\n", "p").n_points == 1
     assert read_text("1 2 3 4\n", "p.SPHERES").n_points == 1
     assert read_text("7 1 2 3 4.\n", "p.dat", fmt="XYZR")["radius"].tolist() == [4]

@@ -1,7 +1,11 @@
 """Numbers against Python's float(), and for single precision against exact fractions."""
 
+import hashlib
 import locale
 import math
+import os
+import subprocess
+import sys
 from fractions import Fraction
 
 import numpy as np
@@ -165,6 +169,45 @@ def test_rows_of_short_decimals_round_once_to_single_precision(read_text):
     expected = np.array([[nearest_float32(field) for field in row] for row in rows], np.float32)
     assert packing.points.tolist() == expected[:, :3].tolist()
     assert packing["radius"].tolist() == expected[:, 3].tolist()
+
+
+HASHES = """
+import hashlib, sys
+import pyvista as pv
+from spherepacking.vtkSpherePackingCore import vtkSpherePackingReader as Reader
+
+for precision in (Reader.DOUBLE_PRECISION, Reader.SINGLE_PRECISION):
+    reader = Reader()
+    reader.SetFileName(sys.argv[1])
+    reader.SetOutputPointsPrecision(precision)
+    reader.Update()
+    packing = pv.wrap(reader.GetOutput())
+    values = packing.points.tobytes() + packing["radius"].tobytes()
+    print(hashlib.sha256(values).hexdigest())
+"""
+
+
+@pytest.mark.parametrize("without", [{}, {"SPHEREPACKING_WITHOUT_AVX2": "1"}], ids=["avx2", "any"])
+def test_rows_of_short_decimals_on_every_processor(tmp_path, without):
+    rng = np.random.default_rng(7)
+    fields = [f"{x:.{n}f}" for n in range(8) for x in rng.normal(scale=40, size=1000)]
+    rows = np.reshape(fields, (-1, 4)).tolist()
+    rows = [[*row[:3], row[3].lstrip("-")] for row in rows]
+    path = tmp_path / "p.spheres"
+    path.write_text("\n".join(" ".join(row) for row in rows) + "\n")
+    wanted = []
+    for kind, number in ((np.float64, float), (np.float32, nearest_float32)):
+        values = np.array([[number(field) for field in row] for row in rows], kind)
+        # Fraction has no sign of zero.
+        zero = np.array([[field.startswith("-") for field in row] for row in rows]) & (values == 0)
+        values[zero] = -0.0
+        packed = values[:, :3].tobytes() + values[:, 3].tobytes()
+        wanted.append(hashlib.sha256(packed).hexdigest())
+    command = [sys.executable, "-c", HASHES, str(path)]
+    done = subprocess.run(
+        command, env=os.environ | without, capture_output=True, text=True, check=True
+    )
+    assert done.stdout.split() == wanted
 
 
 @pytest.mark.parametrize(

@@ -168,6 +168,8 @@ def test_whatever_the_camera_does_is_seen(scene, spheres, change):
     [
         lambda mesh: mesh["height"].__setitem__(slice(None), 0.0),
         lambda mesh: mesh.__setitem__("height", -np.array(mesh["height"])),
+        lambda mesh: np.multiply(mesh["height"], -1, mesh["height"].view(np.ndarray)),
+        lambda mesh: np.multiply(mesh.points, 0.9, mesh.points.view(np.ndarray)),
         lambda mesh: mesh.__setitem__("height", np.multiply(mesh["height"], -1, mesh["height"])),
         lambda mesh: mesh.__setitem__("radius", np.multiply(mesh["radius"], 0.5, mesh["radius"])),
     ],
@@ -181,6 +183,24 @@ def test_changed_arrays_are_seen(scene, spheres, change):
     found = drawn(scene)
     assert (found != first).any()
     assert_shown(found, spheres.copy(), scene, scalars="height", clim=(-1, 1))
+
+
+def test_changed_light_and_tables_are_seen(scene, spheres):
+    spheres["height"] = np.array(spheres.points[:, 2])
+    table = pv.LookupTable("viridis", scalar_range=(-1, 1))
+    sky = np.full((4, 8, 3), 0.5, np.float32)
+    look = {"scalars": "height", "cmap": table}
+    scene.packing.path_trace(
+        spheres, reset_camera=False, show_scalar_bar=False, **OPTIONS | look | {"sky": sky}
+    )
+    first = drawn(scene)
+    table.scalar_range = (-0.2, 0.2)
+    second = drawn(scene)
+    assert (second != first).any()
+    sky[:2] = 2.0
+    third = drawn(scene)
+    assert (third != second).any()
+    assert_shown(third, spheres, scene, sky=sky, **look)
 
 
 def test_larger_screenshots(scene, spheres):

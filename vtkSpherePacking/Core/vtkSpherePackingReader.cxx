@@ -2,10 +2,10 @@
 #include "vtkSpherePackingReader.h"
 
 #include "bridge/Guard.h"
-#include "io/DumpStepCache.h"
 #include "io/PackingFileError.h"
 #include "io/PackingFormats.h"
 #include "io/Progress.h"
+#include "io/TimeStepCache.h"
 
 #include "vtkDataObject.h"
 #include "vtkErrorCode.h"
@@ -15,19 +15,22 @@
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 using namespace spherepacking;
 
 static_assert(vtkSpherePackingReader::AUTO == static_cast<int>(Format::Auto) &&
     vtkSpherePackingReader::XYZD == static_cast<int>(Format::Xyzd) &&
-    vtkSpherePackingReader::SPHERE_TREE == static_cast<int>(Format::SphereTree),
+    vtkSpherePackingReader::SPHERE_TREE == static_cast<int>(Format::SphereTree) &&
+    vtkSpherePackingReader::PACKLSD == static_cast<int>(Format::PackLsd),
   "Format and FileFormats must have the same values");
 
 class vtkSpherePackingReader::Internals
 {
 public:
-  DumpStepCache Steps;
+  TimeStepCache Steps;
 };
 
 vtkStandardNewMacro(vtkSpherePackingReader);
@@ -73,16 +76,13 @@ int vtkSpherePackingReader::RequestInformation(
   }
   const auto work = [&]
   {
-    const auto format = static_cast<spherepacking::Format>(this->Format);
-    if ((format == Format::Auto ? GuessFormat(this->FileName) : format) != Format::Dump)
+    auto format = static_cast<spherepacking::Format>(this->Format);
+    format = format == Format::Auto ? GuessFormat(this->FileName) : format;
+    if (!HasSteps(format))
     {
       return;
     }
-    std::vector<double> times;
-    for (const DumpStep& step : this->Internal->Steps.Find(this->FileName))
-    {
-      times.push_back(step.Time);
-    }
+    const std::vector<double>& times = this->Internal->Steps.Find(format, this->FileName).Values;
     const double range[2] = { times.front(), times.back() };
     outInfo->Set(SDDP::TIME_STEPS(), times.data(), static_cast<int>(times.size()));
     outInfo->Set(SDDP::TIME_RANGE(), range, 2);
@@ -134,6 +134,19 @@ void vtkSpherePackingReader::ReadFile(vtkInformation* outInfo, vtkPolyData* outp
   {
     format = GuessFormat(file);
   }
+  const auto readStep = [&](const auto& read)
+  {
+    using SDDP = vtkStreamingDemandDrivenPipeline;
+    std::optional<double> value;
+    if (outInfo->Has(SDDP::UPDATE_TIME_STEP()))
+    {
+      value = outInfo->Get(SDDP::UPDATE_TIME_STEP());
+    }
+    const TimeSteps& steps = this->Internal->Steps.Find(format, file);
+    const std::size_t chosen = steps.IndexOf(value);
+    read(file, steps.Steps[chosen], options, progress).MoveTo(output);
+    output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), steps.Values[chosen]);
+  };
   switch (format)
   {
     case Format::Xyzd:
@@ -145,18 +158,39 @@ void vtkSpherePackingReader::ReadFile(vtkInformation* outInfo, vtkPolyData* outp
     case Format::SphereTree:
       ReadSphereTree(file, options, progress).MoveTo(output);
       break;
-    case Format::Dump: {
-      using SDDP = vtkStreamingDemandDrivenPipeline;
-      std::optional<double> time;
-      if (outInfo->Has(SDDP::UPDATE_TIME_STEP()))
-      {
-        time = outInfo->Get(SDDP::UPDATE_TIME_STEP());
-      }
-      const DumpStep step = this->Internal->Steps.Choose(file, time);
-      ReadDump(file, step, options, progress).MoveTo(output);
-      output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), step.Time);
+    case Format::Dock:
+      ReadDock(file, options, progress).MoveTo(output);
       break;
-    }
+    case Format::Hole:
+      ReadHole(file, options, progress).MoveTo(output);
+      break;
+    case Format::Swc:
+      ReadSwc(file, options, progress).MoveTo(output);
+      break;
+    case Format::GenGeo:
+      ReadGenGeo(file, options, progress).MoveTo(output);
+      break;
+    case Format::MedialAxis:
+      ReadMedialAxis(file, options, progress).MoveTo(output);
+      break;
+    case Format::Kratos:
+      ReadKratos(file, options, progress).MoveTo(output);
+      break;
+    case Format::PackLsd:
+      ReadPackLsd(file, options, progress).MoveTo(output);
+      break;
+    case Format::LammpsData:
+      ReadLammpsData(file, options, progress).MoveTo(output);
+      break;
+    case Format::Dump:
+      readStep(ReadDump);
+      break;
+    case Format::Xyz:
+      readStep(ReadXyz);
+      break;
+    case Format::Mercury:
+      readStep(ReadMercury);
+      break;
     default:
       ReadTextTable(file, format, options, progress).MoveTo(output);
   }

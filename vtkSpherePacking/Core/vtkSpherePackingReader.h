@@ -18,6 +18,16 @@
  * | DUMP        | .dump, .lammpstrj, .liggghts | LAMMPS or LIGGGHTS text dump                     |
  * | PQR         | .pqr                         | records that end with x y z charge radius        |
  * | SPHERE_TREE | .sph                         | levels of spheres, with an int array `level`     |
+ * | LAMMPS_DATA | .data, any other             | input of read_data, atom_style sphere, granular  |
+ * | XYZ         | .xyz, .extxyz, any other     | frames of extended XYZ, Properties with a radius |
+ * | MERCURY     | .data, any other             | .data of MercuryDPM, in three dimensions or two  |
+ * | DOCK        | .sph, by content             | clusters of spheres by sphgen, array `cluster`   |
+ * | HOLE        | .sph, by content             | spheres of a pore, arrays `plane`, `end`, `name` |
+ * | SWC         | .swc, or by content          | `id type x y z radius parent` of a neuron        |
+ * | GENGEO      | .geo, or by content          | particles and box of GenGeo, ESyS-Particle       |
+ * | MEDIAL_AXIS | .ma, or by content           | vertices of a medial mesh                        |
+ * | KRATOS      | .mdpa, or by content         | nodes of Kratos that have a radius               |
+ * | PACKLSD     | any, by content              | a packing and its cell by PackLSD                |
  *
  * Text may have blanks, tabs, commas or semicolons between the columns, blank lines, comments that
  * begin with #, lines that end in LF, CR LF or CR, and a byte order mark: of UTF-8, UTF-16 or
@@ -38,15 +48,36 @@
  *
  * Numbers are rounded once, to the precision of the output, as by strtod and strtof, in any locale.
  *
+ * Atoms have the arrays `name`, `residue`, `residue_id` and, where a record has them, `chain`,
+ * `insertion_code` and `element`. Of a PQR file with several models the first is read, and the
+ * field array `models` says how many there are. The trees of the Sphere-Tree Construction Toolkit
+ * have the arrays `level`, `occupancy` and `parent`, the index of a sphere or -1; nodes with a
+ * negative radius are left out. Cluster 0 of DOCK holds all spheres before they were clustered. The
+ * array `plane` of HOLE is -888 or -999 for spheres that lie beside the planes of the pore, `end`
+ * is 1 for those that only bound it. A PDB or mmCIF file, by name or content, is an error, since it
+ * has no radii.
+ *
  * The diameters of .xyzd are scaled by ((1 - final) / (1 - theoretical porosity))^(1/3) if there is
- * a file of the same name with the extension .nfo in the same folder. The steps of a dump are the
- * time steps of the output; without a request for a time the first is read. Scaled coordinates xs,
- * ys, zs, which are fractions of the periodic box, are converted to coordinates in space.
+ * a file of the same name with the extension .nfo in the same folder. Scaled coordinates xs, ys,
+ * zs of a dump, which are fractions of the simulation cell, are converted to coordinates in space.
+ *
+ * The steps of a dump, an extended XYZ or a MercuryDPM file are the time steps of the output;
+ * without a request for a time the first is read. Their values are the numbers of the file, if each
+ * step has one and these increase. If not, since a run was restarted or the file gives none, they
+ * are 0, 1, 2 and so on. The field array `TimeValue` has the file's own number. A step without
+ * spheres has no points. A last step that was cut before it says what it is, since the run was
+ * stopped, is left out; one that was cut later is an error when it is read.
+ *
+ * The simulation cell of a dump, a LAMMPS data file, an extended XYZ or a MercuryDPM file becomes
+ * the field arrays `cell_vectors` (three tuples a, b, c), `cell_origin` and `cell_periodic` (1 for
+ * periodic). A LAMMPS data file does not say along which axes its cell is periodic and counts as
+ * periodic along all, which is LAMMPS's default, a MercuryDPM file along none; in two dimensions
+ * that has no cell, and z is 0. Components vx, vy, vz also become one array `velocity`, and so on.
  *
  * An error in any line of the file leaves the output empty: one error is reported through
  * vtkErrorMacro, GetErrorCode() is set, and GetErrorMessage() is the sentence that names the file
  * and line, what was found and what was expected. Centres must be finite, radii finite and not
- * negative; a radius of 0 is valid. A file without spheres is an error.
+ * negative; a radius of 0 is valid. A file without spheres is an error, unless it is a time step.
  *
  * Text is parsed in parallel by vtkSMPTools. The peak memory is that of the file (of a dump: the
  * step) and of the output.
@@ -79,7 +110,17 @@ public:
     XYZD,
     DUMP,
     PQR,
-    SPHERE_TREE
+    SPHERE_TREE,
+    LAMMPS_DATA,
+    XYZ,
+    MERCURY,
+    DOCK,
+    HOLE,
+    SWC,
+    GENGEO,
+    MEDIAL_AXIS,
+    KRATOS,
+    PACKLSD
   };
 
   ///@{
@@ -95,7 +136,7 @@ public:
    * The format of the file. Default AUTO: by its extension, or by its content where the extension
    * is not enough. Values outside of FileFormats are clamped.
    */
-  vtkSetClampMacro(Format, int, AUTO, SPHERE_TREE);
+  vtkSetClampMacro(Format, int, AUTO, PACKLSD);
   vtkGetMacro(Format, int);
   ///@}
 
@@ -122,8 +163,8 @@ public:
    * The names of the columns of a table in text, separated by blanks or commas, such as
    * "id x y z r"; - or _ is a column to skip. Then neither a header nor comments decide, lines of
    * words before the first row are skipped, and every row must have as many columns. Default null
-   * or empty: they are found. Has no effect on other formats. Without x, y and z the update is an
-   * error.
+   * or empty: they are found. Also names those of LAMMPS_DATA, of the section Atoms, and of XYZ
+   * without Properties. Has no effect on other formats. Without x, y and z the update is an error.
    */
   vtkSetStringMacro(Columns);
   vtkGetStringMacro(Columns);

@@ -63,6 +63,7 @@ if TYPE_CHECKING:
     from vtkmodules.vtkCommonCore import reference, vtkDataArray
     from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData
     from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
+    from vtkmodules.vtkDomainsChemistry import vtkPeriodicTable
     from vtkmodules.vtkFiltersCore import vtkFlyingEdges3D
     from vtkmodules.vtkRenderingCore import (
         vtkCamera,
@@ -84,6 +85,7 @@ if TYPE_CHECKING:
         vtkSpherePacker,
         vtkSpherePackingBoxAlgorithm,
         vtkSpherePackingBVH,
+        vtkSpherePackingContacts,
         vtkSpherePackingGrid,
         vtkSpherePackingInput,
         vtkSpherePackingPathTracer,
@@ -112,6 +114,7 @@ else:
     vtkStreamingDemandDrivenPipeline = importlib.import_module(
         f"{VTK_ROOT}.vtkCommonExecutionModel"
     ).vtkStreamingDemandDrivenPipeline
+    vtkPeriodicTable = importlib.import_module(f"{VTK_ROOT}.vtkDomainsChemistry").vtkPeriodicTable
     vtkFlyingEdges3D = importlib.import_module(f"{VTK_ROOT}.vtkFiltersCore").vtkFlyingEdges3D
     _rendering_core = importlib.import_module(f"{VTK_ROOT}.vtkRenderingCore")
     vtkCamera = _rendering_core.vtkCamera
@@ -121,6 +124,7 @@ else:
     vtkMetaballField = _core.vtkMetaballField
     vtkSpherePacker = _core.vtkSpherePacker
     vtkSpherePackingBVH = _core.vtkSpherePackingBVH
+    vtkSpherePackingContacts = _core.vtkSpherePackingContacts
     vtkSpherePackingGrid = _core.vtkSpherePackingGrid
     vtkSpherePackingInput = _core.vtkSpherePackingInput
     vtkSpherePackingPathTracer = _core.vtkSpherePackingPathTracer

@@ -12,6 +12,8 @@ from ..accessor import PackingAccessor
 if TYPE_CHECKING:
     import pyvista as pv
 
+    from ..files.steps import PackingSteps
+
 _BINS = 10
 _BAR = 40
 # Radii that spread over more than this ratio are binned by their logarithm.
@@ -63,6 +65,58 @@ def _volume(radii: np.ndarray) -> str:
     return f"{float(volume):.6g}" if inside else f"{volume:.5e}"
 
 
+def _named(packing: pv.PolyData, name: str) -> str:
+    """Name of an array, and what it holds if that is not one number per sphere."""
+    values = packing.point_data[name]
+    if values.dtype.kind in "US":
+        return f"{name} (text)"
+    return f"{name} ({values.shape[1]} components)" if values.ndim > 1 else name
+
+
+def _cell(packing: pv.PolyData) -> list[str]:
+    """Lines about the simulation cell, if there is one."""
+    data = packing.field_data
+    if "cell_vectors" not in data:
+        return []
+    rows = [*np.asarray(data["cell_vectors"]).reshape(3, 3)]
+    names = ["a", "b", "c"]
+    if "cell_origin" in data:
+        rows, names = [np.ravel(data["cell_origin"]), *rows], ["origin", *names]
+    text = ", ".join(
+        f"{name} {' '.join(f'{value:.6g}' for value in row)}"
+        for name, row in zip(names, rows, strict=True)
+    )
+    lines = [f"cell     {text}"]
+    if "cell_periodic" in data:
+        periodic = np.ravel(data["cell_periodic"])
+        along = " ".join(name for name, p in zip("abc", periodic, strict=True) if p)
+        lines.append(f"periodic {'along ' + along if along else 'along none'}")
+    return lines
+
+
+def describe_steps(steps: PackingSteps) -> list[str]:
+    """Number and times of the steps of a run as text.
+
+    Parameters
+    ----------
+    steps : PackingSteps
+        The steps.
+
+    Returns
+    -------
+    list[str]
+        A line, or none for a file of one packing.
+    """
+    times = steps.times
+    if not times:
+        return [f"steps    {len(steps)}"] if len(steps) > 1 else []
+    shown = [f"{time:.10g}" for time in times]
+    if len(shown) > 6:
+        shown = [*shown[:3], "...", *shown[-2:]]
+    word = "time" if len(times) == 1 else "times"
+    return [f"steps    {len(steps):,}, {word} {' '.join(shown)}"]
+
+
 def describe(packing: pv.PolyData) -> str:
     """Count, bounds, radii, volume and a histogram of the radii as text.
 
@@ -79,7 +133,7 @@ def describe(packing: pv.PolyData) -> str:
     # Upstream: PyVista before 0.49 keeps a dataset alive whose accessor packing.packing has been
     # used: https://github.com/pyvista/pyvista/pull/8925.
     spheres = PackingAccessor(packing)
-    lines = [f"spheres  {spheres.n_spheres:,}"]
+    lines = [f"spheres  {spheres.n_spheres:,}", *_cell(packing)]
     if spheres.n_spheres:
         box = np.reshape(spheres.bounds, (3, 2))
         radii = np.asarray(spheres.radii, dtype=float)
@@ -91,7 +145,7 @@ def describe(packing: pv.PolyData) -> str:
             f"radius   {radii.min():.6g} .. {radii.max():.6g}, median {_median(radii):.6g}",
             f"volume   {_volume(radii)} (sum over the spheres)",
         ]
-        others = [name for name in packing.point_data if name != "radius"]
+        others = [_named(packing, name) for name in packing.point_data if name != "radius"]
         if others:
             lines.append(f"arrays   {', '.join(others)}")
         lines += ["", "radii", *_histogram(radii)]

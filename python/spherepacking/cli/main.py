@@ -10,7 +10,10 @@ from typing import Annotated
 
 from cyclopts import App, CycloptsError, Parameter
 
+from .input import InputOptions
 from .options import RenderOptions, Whole
+
+_READ_BY_DEFAULT = InputOptions()
 
 
 def _version() -> str:
@@ -40,7 +43,7 @@ def _load(*, drawing: bool = False) -> None:
         import pyvista as pv
 
         from .. import backend  # noqa: F401
-        from ..files import image, readers, writers  # noqa: F401
+        from ..files import image, steps, writers  # noqa: F401
 
         if drawing:
             pv.Plotter(off_screen=True).close()
@@ -49,13 +52,15 @@ def _load(*, drawing: bool = False) -> None:
 
 
 @app.command
-def render(packing: Path, /, *, options: RenderOptions) -> None:
-    """Draw a packing and save the picture.
+def render(
+    packing: Path, /, *, options: RenderOptions, source: InputOptions = _READ_BY_DEFAULT
+) -> None:
+    """Draw a packing and save the picture, or draw the steps of a run.
 
     Parameters
     ----------
     packing
-        File with the packing.
+        File with the packing, or a quoted pattern of files, such as "run_*.vtu".
     """
     from ..draw.offscreen import choose_window
 
@@ -64,46 +69,51 @@ def render(packing: Path, /, *, options: RenderOptions) -> None:
 
     from .render import render as draw
 
-    draw(packing, options)
+    draw(packing, options, source)
 
 
 @app.command
-def info(packing: Path, /) -> None:
-    """Print count, bounds, radii and volume of a packing.
+def info(packing: Path, /, *, source: InputOptions = _READ_BY_DEFAULT) -> None:
+    """Print count, bounds, radii and volume of a packing, and the steps of a run.
 
     Parameters
     ----------
     packing
-        File with the packing.
+        File with the packing, or a quoted pattern of files, such as "run_*.vtu".
     """
     _load()
 
-    from ..files.readers import read
-    from .info import describe
+    from .info import describe, describe_steps
+    from .input import open_steps, read_step
 
-    print(describe(read(packing, progress=sys.stderr.isatty())))
+    steps = open_steps(packing, source)
+    text = describe(read_step(steps, packing, source.step))
+    print("\n".join([*describe_steps(steps), text]))
 
 
 @app.command
-def convert(source: Path, target: Path, /) -> None:
-    """Write a packing in another format.
+def convert(packing: Path, target: Path, /, *, source: InputOptions = _READ_BY_DEFAULT) -> None:
+    """Write a packing in another format, and say what that cannot hold.
 
     Parameters
     ----------
-    source
+    packing
         File with the packing.
     target
         File to write; its extension decides about the format.
     """
     _load()
 
-    from ..files.readers import read
-    from ..files.writers import write
+    from ..files.writers import left_out, write
+    from .input import open_steps, read_step
 
-    source, target = source.expanduser(), target.expanduser()
-    if target.exists() and source.exists() and target.samefile(source):
+    packing, target = packing.expanduser(), target.expanduser()
+    if target.exists() and packing.exists() and target.samefile(packing):
         raise ValueError(f"{target}: found the source as the target, expected another file")
-    write(read(source, progress=sys.stderr.isatty()), target)
+    read = read_step(open_steps(packing, source), packing, source.step)
+    write(read, target)
+    if lost := left_out(read, target):
+        print(f"spherepacking: {lost}", file=sys.stderr)
 
 
 @app.command

@@ -41,6 +41,12 @@ class RenderOptions:
     ----------
     output
         Picture to write; its extension decides about the format (.png, .exr, .tif, .jpg, ...).
+        With --steps a name with a number, such as f_%04d.png, or a movie, such as run.mp4.
+    steps
+        Draw these steps, FIRST:END:STRIDE as in Python, such as 0:100:2 or : for all; colours,
+        camera and scale are the same in all pictures.
+    fps
+        Pictures a second of a movie.
     scalars
         Array to colour by; the radii, unless all are equal, if neither this nor --color is given.
     cmap
@@ -130,6 +136,8 @@ class RenderOptions:
     """
 
     output: Output
+    steps: str | None = None
+    fps: float = 24.0
     scalars: str | None = None
     cmap: str | None = None
     clim: tuple[float, float] | None = None

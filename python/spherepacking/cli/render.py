@@ -2,26 +2,31 @@
 
 from __future__ import annotations
 
-import sys
+from dataclasses import replace
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
 import pyvista as pv
 
 from ..checks import color_of
 from ..files.image import check_output
-from ..files.readers import read
-from ..look.look import Look
 from ..vtk_tools import window_of
-from .camera import aim, check_extent, fit
+from .camera import aim, fit
+from .frames import check_frames, frame_writer, slice_of
+from .input import open_steps, read_step
 from .options import check_technique, check_view
+from .scene import scene_of
 from .techniques import add_boxes, add_metaballs, save_path_trace, save_ray_cast
 
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from pyvista.plotting._typing import ColorLike
-
+    from ..files.steps import PackingSteps
+    from ..look.look import Look
+    from .input import InputOptions
     from .options import RenderOptions
+    from .scene import Scene
 
 # In the middle at the bottom. With four labels, none of them is below the title and touches it.
 _SCALAR_BAR = {
@@ -33,12 +38,10 @@ _SCALAR_BAR = {
     "position_y": 0.02,
 }
 _MATERIAL = {"specular": 0.3, "specular_power": 20.0}
-# Radii that spread over more than this ratio are coloured by their logarithm.
-_WIDE = 20.0
 
 
-def render(path: Path, options: RenderOptions) -> None:
-    """Draw the packing in a file and save the picture.
+def render(path: Path, options: RenderOptions, source: InputOptions) -> None:
+    """Draw the packing in a file and save the picture, or those of several steps.
 
     Parameters
     ----------
@@ -46,23 +49,65 @@ def render(path: Path, options: RenderOptions) -> None:
         File with the packing.
     options : RenderOptions
         What was asked for.
+    source : InputOptions
+        Which step is read, and how.
 
     Raises
     ------
-    OSError, ValueError
-        If an option is invalid, or a file cannot be read or written; nothing is written.
+    ImportError, OSError, ValueError
+        If an option is invalid, a file cannot be read or written, or a library is missing; nothing
+        is written.
     """
     _check(options)
-    packing = read(path, progress=sys.stderr.isatty())
-    check_extent(str(path), packing)
+    if options.steps is not None:
+        _render_steps(path, options, source)
+        return
+    check_output(options.output)
+    packing = read_step(open_steps(path, source), path, source.step)
+    scene = scene_of([packing], [str(path)], options, several=False)
+    _draw(packing, options, scene, several=False)
+
+
+def _render_steps(path: Path, options: RenderOptions, source: InputOptions) -> None:
+    """Draw several steps with one range of colours and one camera."""
+    if source.step is not None:
+        raise ValueError("--step: found with --steps, expected one of them")
+    chosen = slice_of(options.steps or "")
+    check_frames(options.output, options.size)
+    steps: PackingSteps = open_steps(path, source)
+    indices = range(len(steps))[chosen]
+    if not indices:
+        raise ValueError(
+            f"--steps: found {options.steps}, expected some of the {len(steps)} steps of {path}"
+        )
+    names = [f"{path}, step {index}" for index in indices]
+    scene = scene_of(steps[chosen], names, options, several=True)
+    with frame_writer(options.output, options.fps) as write:
+        for index in indices:
+            write(index, partial(_draw_into, steps[index], options, scene))
+
+
+def _draw_into(packing: pv.PolyData, options: RenderOptions, scene: Scene, file: Path) -> None:
+    """Draw one of several steps into a file."""
+    _draw(packing, replace(options, output=file), scene, several=True)
+
+
+def _draw(packing: pv.PolyData, options: RenderOptions, scene: Scene, *, several: bool) -> None:
+    """Draw a packing and save the picture."""
     plotter = pv.Plotter(off_screen=True, window_size=list(options.size))
     try:
         if options.background is not None:
             plotter.background_color = color_of("--background", options.background)
         _set_quality(plotter, options)
-        look = _look_of(plotter, packing, options)
+        look = scene.look
+        if not packing.n_points and look.scalars is not None:
+            look = replace(look, scalars=None, clim=None)  # it has no such array
         shown = _add(plotter, packing, look, options)
-        _aim(plotter, packing, shown, options)
+        if several and scene.bounds is not None:
+            shown = _corners(scene.bounds)
+            plotter.renderer.view_isometric(render=False, bounds=scene.bounds)
+            plotter.renderer.camera_set = True  # it is not to be placed by what this step shows
+        _aim(plotter, shown, options)
         if options.technique == "raycast":
             save_ray_cast(plotter, packing, look, options)
         elif options.technique == "pathtrace":
@@ -77,8 +122,9 @@ def render(path: Path, options: RenderOptions) -> None:
 def _check(options: RenderOptions) -> None:
     """Raise an exception for what is known to be wrong before anything is read."""
     check_technique(options)
-    check_output(options.output)
     check_view(options)
+    if not 0.0 < options.fps <= 1000.0:
+        raise ValueError(f"--fps: found {options.fps:g}, expected a number above 0 up to 1000")
     traced = options.technique in ("raycast", "pathtrace")
     if traced and options.opacity != 1.0:
         raise ValueError(
@@ -102,42 +148,6 @@ def _set_quality(plotter: pv.Plotter, options: RenderOptions) -> None:
         plotter.enable_anti_aliasing("ssaa")
 
 
-def _look_of(plotter: pv.Plotter, packing: pv.PolyData, options: RenderOptions) -> Look:
-    """The look that was asked for, and else one that suits the radii."""
-    scalars, clim = options.scalars, options.clim
-    color: ColorLike | None = options.color
-    if scalars is not None and scalars not in packing.point_data:
-        there = ", ".join(packing.point_data.keys())
-        raise ValueError(f"--scalars: found no array {scalars!r}, expected one of: {there}")
-    log_scale = options.log_scale
-    unasked = scalars is None and options.cmap is None and clim is None
-    if color is None and unasked and _all_alike(packing):
-        color = plotter.theme.color
-    if log_scale is None and color is None and scalars in (None, "radius"):
-        log_scale, clim = _radius_scale(packing, clim)
-    return Look(
-        scalars=scalars, cmap=options.cmap, clim=clim, log_scale=bool(log_scale), color=color
-    )
-
-
-def _all_alike(packing: pv.PolyData) -> bool:
-    """Whether the radii are equal, so that there is nothing to colour by."""
-    radii = packing.point_data["radius"]
-    return not len(radii) or radii.min() == radii.max()
-
-
-def _radius_scale(
-    packing: pv.PolyData, clim: tuple[float, float] | None
-) -> tuple[bool, tuple[float, float] | None]:
-    """Whether the radii call for a logarithmic scale, and the range of the colour map."""
-    radii = packing.point_data["radius"]
-    positive = radii[radii > 0.0]
-    if not positive.size or positive.max() <= _WIDE * positive.min():
-        return False, clim
-    # Zero has no logarithm, and nothing that is drawn has that radius.
-    return True, clim or (float(positive.min()), float(positive.max()))
-
-
 def _add(
     plotter: pv.Plotter, packing: pv.PolyData, look: Look, options: RenderOptions
 ) -> pv.PolyData:
@@ -158,15 +168,20 @@ def _add(
     return packing
 
 
-def _aim(
-    plotter: pv.Plotter, packing: pv.PolyData, shown: pv.PolyData, options: RenderOptions
-) -> None:
+def _corners(bounds: tuple[float, ...]) -> pv.PolyData:
+    """Corners of a box, as spheres of radius 0."""
+    box = pv.PolyData(np.asarray(pv.Box(bounds).points, dtype=float))
+    box["radius"] = np.zeros(box.n_points)
+    return box
+
+
+def _aim(plotter: pv.Plotter, shown: pv.PolyData, options: RenderOptions) -> None:
     """Place the camera, and let the spheres of `shown` fill the picture if it was not placed."""
     camera = plotter.camera
     aim(camera, options.camera, options.focal, options.up)
     if options.view_angle is not None:
         camera.view_angle = options.view_angle
-    elif options.camera is None and options.focal is None and packing.n_points:
+    elif options.camera is None and options.focal is None and shown.n_points:
         # The scalar bar needs room at the bottom, in pixels, since its letters do.
         room = 110.0 / options.size[1] if len(plotter.scalar_bars) else 0.04
         fit(camera, shown, options.size, max(1.0 - 2.0 * room, 0.5))

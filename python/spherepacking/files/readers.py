@@ -1,9 +1,8 @@
-"""Reading packing files, through ``pyvista.read`` and by :func:`read`."""
+"""Reading packing files through ``pyvista.read``."""
 
 from __future__ import annotations
 
 from contextlib import nullcontext
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pyvista as pv
@@ -12,13 +11,9 @@ from ..vtk_tools import ErrorLog, errors_raised, progress_bar
 from .errors import PackingFileError
 
 if TYPE_CHECKING:
-    import os
     from typing import Literal
 
     from ..backend import vtkSpherePackingReader
-
-# Seconds before a progress bar appears, so that short work shows none.
-_BAR_DELAY = 0.5
 
 
 # PyVista 0.48, which some builds run on, has no generic one.
@@ -152,55 +147,3 @@ def _read_function(path: str) -> pv.PolyData:
 # Upstream: PyVista before 0.49 takes functions only, no classes, from entry points:
 # https://github.com/pyvista/pyvista/pull/8950.
 entry_point = SpherePackingReader if pv.version_info >= (0, 49) else _read_function
-
-
-def read(
-    path: str | os.PathLike[str],
-    *,
-    precision: Literal["single", "double"] = "double",
-    progress: bool = False,
-) -> pv.PolyData:
-    """Read a sphere packing whatever its file is called.
-
-    The format follows from the extension and, where that says nothing, from the content.
-
-    Parameters
-    ----------
-    path : str or os.PathLike
-        File to read.
-    precision : {"double", "single"}, default: "double"
-        Precision of the centres.
-    progress : bool, default: False
-        Show a progress bar on stderr if reading takes longer than half a second.
-
-    Returns
-    -------
-    pyvista.PolyData
-        Centres as points (n, 3), radii as active point array ``radius`` (n,), other numeric
-        columns of the file as further point arrays. Units are those of the file.
-
-    Raises
-    ------
-    FileNotFoundError
-        If there is no such file.
-    IsADirectoryError
-        If `path` is a directory.
-    OSError
-        If it is a pipe or a device.
-    PackingFileError
-        If the file holds no packing. The message names file and line, what was found and what was
-        expected.
-
-    Examples
-    --------
-    >>> import spherepacking
-    >>> packing = spherepacking.read("packing.spheres")  # doctest: +SKIP
-    """
-    path = Path(path).expanduser()
-    if path.exists() and not (path.is_file() or path.is_dir()):
-        raise OSError(f"{path}: found a pipe or a device, expected a file")
-    reader = SpherePackingReader(path)
-    reader.precision = precision
-    bar = progress_bar(reader.reader, f"Reading {path.name}", _BAR_DELAY)
-    with bar if progress else nullcontext():
-        return reader.read()

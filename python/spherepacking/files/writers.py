@@ -2,36 +2,93 @@
 
 from __future__ import annotations
 
+import shutil
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING
 
 import pyvista as pv
 
+from ..datasets import packing_of, with_radii, wrap
 from ..vtk_tools import errors_raised
 from .errors import PackingFileError
+from .replace import check_replaceable
+from .vtk_files import errors_of_vtk
 
 if TYPE_CHECKING:
     import os
 
+    from ..radii import RadiusLike
 
-def write(packing: pv.PolyData, path: str | os.PathLike[str]) -> None:
-    """Write a packing in the format of the extension of `path`.
+# Formats that hold no more than the spheres, and further arrays of which names they hold.
+_SPHERES_ALONE = {".spheres": (), ".xyzr": (), ".xyzd": (), ".txt": ("matId",)}
 
-    ``.spheres`` and ``.xyzr`` are text, ``.xyzd`` is binary, ``.txt`` is YADE's text, and ``.csv``
-    also holds the other point arrays. A ``.spheres`` file has the largest sphere first. Numbers
-    read back exactly. ``packing.save(path)`` does the same, except for ``.txt``.
+
+def left_out(packing: pv.PolyData, path: str | os.PathLike[str]) -> str | None:
+    """Say what the format of a file cannot hold of a packing.
 
     Parameters
     ----------
     packing : pyvista.PolyData
-        Centres as points (n, 3) and a point array ``radius`` (n,).
+        Centres (n, 3) and a point array ``radius`` (n,).
+    path : str or os.PathLike
+        File to write, or that was written.
+
+    Returns
+    -------
+    str or None
+        A sentence, or None if nothing is left out.
+
+    Examples
+    --------
+    >>> import spherepacking
+    >>> from spherepacking.files.writers import left_out
+    >>> left_out(spherepacking.apollonian(1), "a.spheres")
+    'a.spheres holds x y z r alone: left out level'
+    """
+    path = Path(path)
+    extension = path.suffix.lower()
+    names = [name for name in packing.point_data if name != "radius"]
+    held = _SPHERES_ALONE.get(extension)
+    if held is not None:
+        names = [name for name in names if name not in held]
+        what = " ".join(["x y z r", *held])
+    elif extension == ".csv":
+        names = [name for name in names if packing.point_data[name].dtype.kind in "US"]
+        what = "numbers of each sphere"
+    else:
+        return None
+    lost = [*names, *(["the cell"] if "cell_vectors" in packing.field_data else [])]
+    return f"{path.name} holds {what} alone: left out {', '.join(lost)}" if lost else None
+
+
+def write(
+    packing: pv.DataSet | pv.MultiBlock,
+    path: str | os.PathLike[str],
+    *,
+    radius: RadiusLike | None = None,
+) -> None:
+    """Write a packing in the format of the extension of `path`.
+
+    ``.spheres`` and ``.xyzr`` are text, ``.xyzd`` is binary, ``.txt`` is YADE's text, and ``.csv``
+    also holds the other numeric point arrays. A ``.spheres`` file has the largest sphere first.
+    VTK's ``.vtp``, ``.vtu`` and ``.vtk`` hold all arrays and the cell. Numbers read back exactly.
+    ``packing.save(path)`` does the same, except for ``.txt``.
+
+    Parameters
+    ----------
+    packing : pyvista.DataSet or pyvista.MultiBlock
+        Its points are the centres (n, 3).
     path : str or os.PathLike
         File to write. An existing file is replaced.
+    radius : str, float, array_like or mapping, optional
+        Radii, as in ``packing.packing.with_radius``; by default the point array ``radius``, or one
+        that is called so.
 
     Raises
     ------
     TypeError
-        If `packing` is not a PolyData.
+        If `packing` has no points.
     FileNotFoundError
         If the folder of `path` does not exist.
     PackingFileError
@@ -44,15 +101,34 @@ def write(packing: pv.PolyData, path: str | os.PathLike[str]) -> None:
     """
     from ..backend import vtkSpherePackingWriter
 
-    if not isinstance(packing, pv.PolyData):
-        raise TypeError(f"packing: found a {type(packing).__name__}, expected a PolyData")
+    dataset = wrap(packing)
     path = Path(path).expanduser()
     if not path.parent.is_dir():
         raise FileNotFoundError(f"{path}: there is no folder {path.parent}")
     if path.is_dir():
         raise IsADirectoryError(f"{path}: found a directory, expected a file name")
+    try:
+        spheres, _ = with_radii(packing_of(dataset, radius), "radius")
+    except (KeyError, TypeError, ValueError) as error:
+        raise PackingFileError(f"{path}: {error.args[0]}") from None
+    if path.suffix.lower() in (".vtp", ".vtu", ".vtk"):
+        _write_by_vtk(spheres, path)
+        return
     writer = vtkSpherePackingWriter()
     writer.SetFileName(str(path))
-    writer.SetInputData(packing)
+    writer.SetInputData(spheres)
     with errors_raised(writer, PackingFileError):
         writer.Write()
+
+
+def _write_by_vtk(packing: pv.PolyData, path: Path) -> None:
+    """Write a file of VTK, which appears under its name when it is complete."""
+    target = check_replaceable(path)
+    saved = packing.cast_to_unstructured_grid() if path.suffix.lower() == ".vtu" else packing
+    with TemporaryDirectory(dir=target.parent, prefix=".spherepacking-") as folder:
+        part = Path(folder) / f"part{path.suffix.lower()}"
+        with errors_of_vtk(f"{path}: the file cannot be written"):
+            saved.save(part)
+        if target.exists():
+            shutil.copymode(target, part)
+        part.replace(target)

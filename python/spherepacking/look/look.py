@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import pyvista as pv
 
 from ..checks import color_of, flag_of
+from ..packing import content_hash
 from .color_map import color_map_of
 from .scalars import scalars_of
 
@@ -87,8 +88,17 @@ class Look:
             return None
         return _mapped(packing, scalars, color_map)
 
-    def key(self, packing: pv.PolyData) -> tuple[object, ...] | None:
+    def key(
+        self, packing: pv.PolyData, *, hash_contents: bool = False
+    ) -> tuple[object, ...] | None:
         """What the colours depend on, compared by ``==``.
+
+        Parameters
+        ----------
+        packing : pyvista.PolyData
+            The spheres.
+        hash_contents : bool, default: False
+            Whether to look for changes of the scalars that VTK was not notified of.
 
         Returns
         -------
@@ -108,6 +118,7 @@ class Look:
         # The time of all arrays: some changes are known to the point data alone.
         return (
             None if array is None else arrays.GetMTime(),
+            content_hash(pv.convert_array(array)) if hash_contents and array is not None else 0,
             table,
             repr(vars(self) | ({} if table is None else {"cmap": None})),
             repr((theme.cmap, theme.color, theme.nan_color)),

@@ -86,7 +86,7 @@ def pack(
 
     if not isinstance(mesh, pv.PolyData):
         raise TypeError(
-            f"mesh: found a {type(mesh).__name__}, expected a pyvista.PolyData; extract_surface() "
+            f"mesh: found {checks.kind_of(mesh)}, expected a pyvista.PolyData; extract_surface() "
             "makes one of other meshes"
         )
     packer = vtkSpherePacker()

@@ -17,11 +17,16 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
     from pyvista.plotting._typing import ColorLike
 
+    from ..radii import RadiusLike
+
 
 class MetaballsOfPacking:
     """Implicit fields of the spheres, and surfaces in them."""
 
-    _packing: pv.PolyData
+    if TYPE_CHECKING:
+
+        def with_radius(self, radius: RadiusLike | None = None) -> pv.PolyData:
+            """Return the spheres, see PackingAccessor."""
 
     def metaball_field(
         self,
@@ -42,6 +47,7 @@ class MetaballsOfPacking:
         cmap: str | list[ColorLike] | pv.LookupTable | None = None,
         clim: Sequence[float] | float | None = None,
         log_scale: bool = False,
+        radius: RadiusLike | None = None,
         progress: bool = False,
     ) -> pv.ImageData:
         """Sum what all spheres add at the points of a grid, within a bound on the error.
@@ -95,6 +101,8 @@ class MetaballsOfPacking:
             Make the array ``blend`` too, if the spheres differ in colour.
         scalars, rgb, cmap, clim, log_scale
             What the spheres are coloured by, as in :meth:`ray_cast`.
+        radius : str, float, array_like or mapping, optional
+            As in :meth:`PackingAccessor.with_radius`.
         progress : bool, default: False
             Show a progress bar. Ctrl-C stops the work with or without.
 
@@ -118,7 +126,7 @@ class MetaballsOfPacking:
         Raises
         ------
         KeyError
-            If there is no point array ``radius``, or none of the name `scalars`.
+            If there is no such point array of radii, or none of the name `scalars`.
         TypeError
             If an argument has the wrong type.
         ValueError
@@ -137,7 +145,7 @@ class MetaballsOfPacking:
         """
         options = FieldOptions(dimensions, spacing, kernel, weights, count, relative_error, bounds)
         return metaball_field(
-            self._packing,
+            self.with_radius(radius),
             options,
             threshold,
             gradient=gradient,
@@ -165,6 +173,7 @@ class MetaballsOfPacking:
         clim: Sequence[float] | float | None = None,
         log_scale: bool = False,
         color: ColorLike | None = None,
+        radius: RadiusLike | None = None,
         progress: bool = False,
     ) -> pv.PolyData:
         """Make the surface on which the field of the spheres has a value.
@@ -193,6 +202,8 @@ class MetaballsOfPacking:
             What the spheres are coloured by, as in :meth:`ray_cast`.
         color : ColorLike, optional
             One colour for all spheres, which leaves the array ``color`` out.
+        radius : str, float, array_like or mapping, optional
+            As in :meth:`PackingAccessor.with_radius`.
         progress : bool, default: False
             Show a progress bar. Ctrl-C stops the work with or without.
 
@@ -209,7 +220,7 @@ class MetaballsOfPacking:
         Raises
         ------
         KeyError
-            If there is no point array ``radius``, or none of the name `scalars`.
+            If there is no such point array of radii, or none of the name `scalars`.
         TypeError
             If an argument has the wrong type.
         ValueError
@@ -235,4 +246,4 @@ class MetaballsOfPacking:
             dimensions = 128
         options = FieldOptions(dimensions, spacing, kernel, weights, count, relative_error, bounds)
         look = Look(scalars, rgb, cmap, clim, log_scale, color)
-        return metaballs(self._packing, options, threshold, coloring, look, progress)
+        return metaballs(self.with_radius(radius), options, threshold, coloring, look, progress)

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 import pyvista as pv
 
 from .. import checks
+from ..datasets import packing_of
 from ..look.look import Look
-from ..packing import packing_of
 from .arguments import FieldOptions
 
 if TYPE_CHECKING:
@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
     from pyvista.plotting._typing import ColorLike
 
+    from ..radii import RadiusLike
     from .actor import Metaballs
 
 
@@ -30,7 +31,7 @@ class MetaballsOfPlotter:
 
     def add_metaballs(
         self,
-        packing: pv.PolyData,
+        packing: pv.DataSet | pv.MultiBlock,
         threshold: float = 1.0,
         *,
         dimensions: Sequence[int] | int | None = None,
@@ -47,6 +48,7 @@ class MetaballsOfPlotter:
         clim: Sequence[float] | float | None = None,
         log_scale: bool = False,
         color: ColorLike | None = None,
+        radius: RadiusLike | None = None,
         opacity: float = 1.0,
         specular: float = 0.3,
         specular_power: float = 20.0,
@@ -59,13 +61,15 @@ class MetaballsOfPlotter:
 
         Parameters
         ----------
-        packing : pyvista.PolyData
-            Centres (n, 3) and point array ``radius`` (n,).
+        packing : pyvista.DataSet or pyvista.MultiBlock
+            Centres (n, 3) and radii, as in ``plotter.packing.add``.
         threshold : float, default: 1.0
             The value, above 0.
         dimensions, spacing, kernel, weights, count, relative_error, bounds, coloring, scalars, \
         rgb, cmap, clim, log_scale, color
             As in ``packing.packing.metaballs``.
+        radius : str, float, array_like or mapping, optional
+            Radii, as in ``plotter.packing.add``.
         opacity : float, default: 1.0
             From 0 to 1.
         specular : float, default: 0.3
@@ -116,7 +120,7 @@ class MetaballsOfPlotter:
             dimensions = 128
         options = FieldOptions(dimensions, spacing, kernel, weights, count, relative_error, bounds)
         look = Look(scalars, rgb, cmap, clim, log_scale, color)
-        balls = Metaballs(packing_of(packing), threshold, coloring, look, options)
+        balls = Metaballs(packing_of(packing, radius), threshold, coloring, look, options)
         colored = coloring is not None and color is None
         actor = balls.actor = actor_of(balls, plain, colored, opacity, specular, power)
         plotter.add_actor(

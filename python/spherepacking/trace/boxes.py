@@ -12,12 +12,16 @@ from ..vtk_tools import errors_raised
 
 if TYPE_CHECKING:
     from ..backend import vtkSpherePackingBoxAlgorithm
+    from ..radii import RadiusLike
 
 
 class BoxesOfPacking:
     """Boxes that show how a hierarchy or a grid divides the spheres."""
 
-    _packing: pv.PolyData
+    if TYPE_CHECKING:
+
+        def with_radius(self, radius: RadiusLike | None = None) -> pv.PolyData:
+            """Return the spheres, see PackingAccessor."""
 
     def bvh_boxes(
         self,
@@ -26,6 +30,7 @@ class BoxesOfPacking:
         leaves_only: bool = True,
         *,
         as_lines: bool = False,
+        radius: RadiusLike | None = None,
     ) -> pv.PolyData:
         """Boxes of a binary bounding volume hierarchy, each the bounds of its spheres.
 
@@ -50,6 +55,8 @@ class BoxesOfPacking:
             Return the boxes of the leaves, instead of those of all nodes.
         as_lines : bool, default: False
             Make twelve lines per box instead of six quads.
+        radius : str, float, array_like or mapping, optional
+            As in :meth:`PackingAccessor.with_radius`.
 
         Returns
         -------
@@ -73,7 +80,7 @@ class BoxesOfPacking:
         Raises
         ------
         KeyError
-            If there is no point array ``radius``.
+            If there is no such point array of radii.
         TypeError
             If `boxes` or `depth` is not an integer, or the radii are not real numbers.
         ValueError
@@ -97,9 +104,11 @@ class BoxesOfPacking:
         elif boxes is not None:
             bvh.SetNumberOfBoxes(checks.count_of("boxes", boxes))
         bvh.SetLeavesOnly(checks.flag_of("leaves_only", leaves_only))
-        return _boxes_of(bvh, self._packing, as_lines)
+        return _boxes_of(bvh, self.with_radius(radius), as_lines)
 
-    def grid_boxes(self, cuts: int = 6, *, as_lines: bool = False) -> pv.PolyData:
+    def grid_boxes(
+        self, cuts: int = 6, *, as_lines: bool = False, radius: RadiusLike | None = None
+    ) -> pv.PolyData:
         """Boxes of the cells of a uniform grid that spheres touch.
 
         The bounds of the packing are cut `cuts` times along each axis. A cell is touched when the
@@ -112,6 +121,8 @@ class BoxesOfPacking:
             How often each axis is cut, 0 or more; there are ``(cuts + 1) ** 3`` cells.
         as_lines : bool, default: False
             Make twelve lines per box instead of six quads.
+        radius : str, float, array_like or mapping, optional
+            As in :meth:`PackingAccessor.with_radius`.
 
         Returns
         -------
@@ -132,7 +143,7 @@ class BoxesOfPacking:
         Raises
         ------
         KeyError
-            If there is no point array ``radius``.
+            If there is no such point array of radii.
         TypeError
             If `cuts` is not an integer, or the radii are not real numbers.
         ValueError
@@ -150,7 +161,7 @@ class BoxesOfPacking:
 
         grid = vtkSpherePackingGrid()
         grid.SetCuts(checks.count_of("cuts", cuts, least=0))
-        return _boxes_of(grid, self._packing, as_lines)
+        return _boxes_of(grid, self.with_radius(radius), as_lines)
 
 
 def _boxes_of(

@@ -24,12 +24,17 @@ _REST = 0.03  # seconds after which it does
 
 
 class View(NamedTuple):
-    """What a picture shows, compared by ``==``: its size, the camera and the state of a packing."""
+    """What a picture shows, compared by ``==``: its size, the camera, the spheres and their look.
+
+    Changes that VTK is not notified of are not in it: the tracer finds them, when it is asked for
+    the picture again.
+    """
 
     width: int
     height: int
     camera: tuple[float, ...]
     packing: tuple[object, ...] | None
+    look: tuple[object, ...] | None
 
 
 class LivePicture:
@@ -37,7 +42,9 @@ class LivePicture:
 
     While the camera moves the mapper draws them; when it rests their picture is traced, in steps,
     and shown instead, among all that else is in the scene. Offscreen every rendering shows the
-    finished picture. An actor that has been moved or made transparent is left to the mapper.
+    finished picture of what there is then, whatever has changed; in a window changes of the
+    packing, its scalars or a lookup table make it begin anew, if VTK was notified of them. An actor
+    that has been moved or made transparent is left to the mapper.
 
     Parameters
     ----------
@@ -175,7 +182,7 @@ class LivePicture:
         numbers = tuple(matrix.GetElement(i, j) for matrix, i in rows for j in range(4))
         times = modified_times(self._packing)
         state = None if times is None else (times.geometry, times.arrays)
-        return View(width, height, numbers, state)
+        return View(width, height, numbers, state, self._look.key(self._packing))
 
     def _usable(self) -> bool:
         """Whether a picture can stand for the actor, and is asked for."""
@@ -203,7 +210,8 @@ class LivePicture:
         usable = self._usable()
         if not plotter.off_screen:
             self._start_timer(plotter)
-        elif usable and not self.finished:
+        elif usable:
+            # Of a finished picture the tracer finds that nothing is left to do.
             self._refine_in_vtk(None)
         shown = usable and self.shown
         self.actor.mapper.SetDrawn(not shown)

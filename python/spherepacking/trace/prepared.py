@@ -35,8 +35,8 @@ class PreparedTracer[Tracer: vtkSpherePackingTracer]:
     white_by_default : bool, default: False
         Whether spheres are white if nothing is said, instead of as the plotter draws them.
     hash_contents : bool, default: False
-        Whether to look for changes of all centres and radii each time, as a tracer needs that goes
-        on with its picture, which would mix packings.
+        Whether to look for changes of all centres, radii and scalars each time, as a tracer needs
+        that goes on with its picture, which would mix packings.
 
     Attributes
     ----------
@@ -57,6 +57,7 @@ class PreparedTracer[Tracer: vtkSpherePackingTracer]:
         self._make = make
         self._label = label
         self._white_by_default = white_by_default
+        self._hash_contents = hash_contents
         self._changes = ChangeDetector(hash_contents=hash_contents)
         self._tracer: Tracer | None = None
         # When the centres and radii of the tracer were last changed, and what its colours depend
@@ -111,7 +112,7 @@ class PreparedTracer[Tracer: vtkSpherePackingTracer]:
     ) -> pv.ImageData:
         """Make a picture with the tracer that :meth:`prepare` returned."""
         tracer.SetTileSize(_tile_of(tile))
-        key = look.key(packing)
+        key = look.key(packing, hash_contents=self._hash_contents)
         if key is None or key != self._look_key:
             self._look_key = None
             self._set_look(tracer, packing, look)
@@ -171,7 +172,7 @@ def camera_of(camera: CameraLike) -> vtkCamera:
         position, focal_point, up = points.reshape(3, 3).tolist()
     except (TypeError, ValueError):
         raise TypeError(
-            f"camera: found a {type(camera).__name__}, expected a camera, or three points: its "
+            f"camera: found {checks.kind_of(camera)}, expected a camera, or three points: its "
             "position, focal point and view-up"
         ) from None
     if position == focal_point:

@@ -3,6 +3,7 @@
 
 #include "base/HugePages.h"
 #include "bridge/ColorArrays.h"
+#include "bridge/FieldData.h"
 #include "bridge/NewArrays.h"
 #include "bridge/VectorArrays.h"
 
@@ -98,6 +99,16 @@ double* PackingArrays::AddExtra(const std::string& name)
 }
 
 //------------------------------------------------------------------------------
+const double* PackingArrays::FindExtra(const std::string& name) const
+{
+  const auto found = std::find_if(this->Extras.begin(), this->Extras.end(),
+    [&name](vtkAbstractArray* array) { return array->GetName() == name; });
+  vtkDoubleArray* const array =
+    found == this->Extras.end() ? nullptr : vtkDoubleArray::FastDownCast(*found);
+  return array ? array->GetPointer(0) : nullptr;
+}
+
+//------------------------------------------------------------------------------
 std::string* PackingArrays::AddText(const std::string& name)
 {
   const auto array = vtkSmartPointer<vtkStringArray>::New();
@@ -105,6 +116,14 @@ std::string* PackingArrays::AddText(const std::string& name)
   array->SetNumberOfValues(this->Count);
   this->Extras.push_back(array);
   return array->GetPointer(0);
+}
+
+//------------------------------------------------------------------------------
+void PackingArrays::RemoveText(const std::string* values)
+{
+  const auto found = std::find_if(this->Extras.begin(), this->Extras.end(),
+    [values](vtkAbstractArray* array) { return array->GetVoidPointer(0) == values; });
+  this->Extras.erase(found);
 }
 
 //------------------------------------------------------------------------------
@@ -138,10 +157,11 @@ void PackingArrays::MoveTo(vtkPolyData* output)
   }
   if (this->Time)
   {
-    vtkNew<vtkDoubleArray> time;
-    time->SetName("TimeValue");
-    time->InsertNextValue(*this->Time);
-    output->GetFieldData()->AddArray(time);
+    AddFieldArray(output, "TimeValue", { *this->Time });
+  }
+  for (const auto& [name, value] : this->Fields)
+  {
+    AddFieldArray(output, name.c_str(), { value });
   }
 }
 }

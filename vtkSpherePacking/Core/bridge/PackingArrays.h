@@ -8,6 +8,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 class vtkAbstractArray;
@@ -55,11 +56,23 @@ public:
   /// Adds a further array, uninitialised, and returns its values.
   double* AddExtra(const std::string& name);
 
+  /// The values of the further array of numbers of that name; null without one.
+  const double* FindExtra(const std::string& name) const;
+
   /// Adds a further array that is filled already.
   void AddArray(vtkSmartPointer<vtkDataArray> array) { this->Extras.push_back(std::move(array)); }
 
   /// Adds a further array of text, and returns its values, which are empty.
   std::string* AddText(const std::string& name);
+
+  /// Removes the further array of text with these values.
+  void RemoveText(const std::string* values);
+
+  /// Adds a field array of one number, by which a reader tells of the file.
+  void AddFieldValue(const std::string& name, double value)
+  {
+    this->Fields.push_back({ name, value });
+  }
 
   /// The simulation cell becomes the field arrays `cell_vectors` (3 tuples a, b, c), `cell_origin`
   /// (3 values) and `cell_periodic` (3 bytes, 1 for periodic); the time `TimeValue` (1 value), the
@@ -80,6 +93,7 @@ private:
   std::vector<vtkSmartPointer<vtkAbstractArray>> Extras;
   std::optional<SimulationCell> Cell;
   std::optional<double> Time;
+  std::vector<std::pair<std::string, double>> Fields;
 };
 }
 

@@ -16,7 +16,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cstring>
-#include <limits>
 #include <string>
 
 namespace spherepacking
@@ -135,7 +134,9 @@ void PathFilm::CopySharedArrays()
 void PathFilm::Clear()
 {
   this->MostSamples = 0;
-  // First, so that there is room for the new ones.
+  // First, so that there is room for the new ones, for which there may be too little memory.
+  this->Pixels = {};
+  this->Rgba = nullptr;
   this->Arrays = nullptr;
   const auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetExtent(0, this->State.Width - 1, 0, this->State.Height - 1, 0, 0);

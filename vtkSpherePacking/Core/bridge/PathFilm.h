@@ -8,6 +8,8 @@
 
 #include "vtkSmartPointer.h"
 
+#include <algorithm>
+
 class vtkImageData;
 
 namespace spherepacking
@@ -19,7 +21,7 @@ struct FilmState
   CameraRays Rays{};
   int Width = 0;
   int Height = 0;
-  PathLight Light; ///< of a sky with an image that there is one
+  PathLight Light; ///< two states with an image as the sky differ by SkyImage and SkyImageTime
   const vtkImageData* SkyImage = nullptr;
   vtkMTimeType SkyImageTime = 0;
 

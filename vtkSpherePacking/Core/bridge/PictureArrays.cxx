@@ -14,7 +14,6 @@
 #include "vtkUnsignedIntArray.h"
 
 #include <algorithm>
-#include <limits>
 #include <new>
 
 namespace spherepacking

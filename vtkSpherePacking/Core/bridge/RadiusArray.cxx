@@ -87,12 +87,12 @@ struct SphereBounds
   template <typename PointsT, typename RadiiT>
   void operator()(PointsT* points, RadiiT* radii, double bounds[6])
   {
-    const auto centres = vtk::DataArrayTupleRange<3>(points);
+    const auto centers = vtk::DataArrayTupleRange<3>(points);
     const auto r = vtk::DataArrayValueRange<1>(radii);
     const double inf = std::numeric_limits<double>::infinity();
     const std::array<double, 6> empty{ inf, -inf, inf, -inf, inf, -inf };
     vtkSMPThreadLocal<std::array<double, 6>> locals(empty);
-    vtkSMPTools::For(0, centres.size(),
+    vtkSMPTools::For(0, centers.size(),
       [&](vtkIdType begin, vtkIdType end)
       {
         std::array<double, 6> box = locals.Local();
@@ -101,7 +101,7 @@ struct SphereBounds
           const double radius = static_cast<double>(r[i]);
           for (int axis = 0; axis < 3; ++axis)
           {
-            const double x = static_cast<double>(centres[i][axis]);
+            const double x = static_cast<double>(centers[i][axis]);
             box[2 * axis] = std::min(box[2 * axis], x - radius);
             box[2 * axis + 1] = std::max(box[2 * axis + 1], x + radius);
           }

@@ -5,39 +5,31 @@
 #include "io/TableLayout.h"
 #include "io/TextLines.h"
 
-#include <string>
-#include <vector>
+#include "bridge/PackingArrays.h"
+
+#include <optional>
 
 namespace spherepacking
 {
-/// A time step of a dump: its time, the range of its bytes, and its first line.
-struct DumpStep
-{
-  double Time;
-  unsigned long long Begin;
-  unsigned long long End;
-  vtkIdType FirstLine;
-};
-
-/**
- * Finds the time steps of a LAMMPS or LIGGGHTS dump (A. Thompson et al., "LAMMPS - a flexible
- * simulation tool for particle-based materials modeling at the atomic, meso, and continuum scales",
- * 2022), by ITEM: TIMESTEP. One pass with a block of the file in memory at a time, since dumps are
- * often larger than that.
- */
-std::vector<DumpStep> FindDumpSteps(const std::string& file);
-
-/// The header of a time step, that is the lines before its atoms.
+/// The header of a dump's time step, that is the lines before its atoms.
 struct DumpHeader
 {
   TableLayout Layout;
-  vtkIdType Count;
-  vtkIdType CountLine;
-  TextRange Atoms; ///< the lines of the atoms
+  std::optional<SimulationCell> Cell;
+  vtkIdType Count = -1;
+  vtkIdType CountLine = 0;
+  TextRange Atoms{ nullptr, nullptr, 0 }; ///< what follows
 };
 
-/// Reads the header of the step that `text` holds.
-DumpHeader ReadDumpHeader(const TextRange& text);
+/// Whether `text`, which begins with a step, has the whole header of it.
+bool HasDumpHeader(const TextRange& text);
+
+/// Reads the header of the step that begins `text`.
+DumpHeader ReadDumpHeader(const TextRange& text, Radii radii);
+
+/// The end of the atoms with which `text` begins: the next title, which need not be that of the
+/// next step, or what was written of one when the run was stopped.
+const char* EndOfAtoms(const TextRange& text);
 }
 
 #endif

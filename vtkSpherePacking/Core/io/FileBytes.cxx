@@ -131,4 +131,23 @@ FileBytes FileBytes::Copy(std::string_view text)
   std::copy(text.begin(), text.end(), bytes.Bytes.get());
   return bytes;
 }
+
+//------------------------------------------------------------------------------
+FileRanges::FileRanges(const std::string& path)
+  : Path(path)
+  , Stream(path.c_str(), std::ios::in | std::ios::binary)
+{
+}
+
+//------------------------------------------------------------------------------
+void FileRanges::Read(unsigned long long offset, char* to, std::size_t length)
+{
+  this->Stream.seekg(static_cast<std::streamoff>(offset));
+  if (!this->Stream || !this->Stream.read(to, static_cast<std::streamsize>(length)))
+  {
+    throw PackingFileError(vtkErrorCode::PrematureEndOfFileError,
+      this->Path + ": the file could not be read to its end, expected " +
+        std::to_string(offset + length) + " bytes");
+  }
+}
 }

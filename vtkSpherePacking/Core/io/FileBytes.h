@@ -2,6 +2,9 @@
 #ifndef FileBytes_h
 #define FileBytes_h
 
+#include "vtksys/FStream.hxx"
+
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -44,6 +47,20 @@ private:
 
   std::unique_ptr<char[]> Bytes;
   unsigned long long Length;
+};
+
+/// Ranges of a file that stays open.
+class FileRanges
+{
+public:
+  explicit FileRanges(const std::string& path);
+
+  /// Reads `length` bytes from `offset` on to `to`, or throws.
+  void Read(unsigned long long offset, char* to, std::size_t length);
+
+private:
+  std::string Path;
+  vtksys::ifstream Stream;
 };
 }
 

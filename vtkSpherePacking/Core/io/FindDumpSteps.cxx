@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/DumpFile.h"
-
+#include "bridge/SmpParallelFor.h"
 #include "io/FileBytes.h"
+#include "io/LineBlocks.h"
 #include "io/Number.h"
 #include "io/PackingFileError.h"
-#include "io/Progress.h"
 #include "io/Separators.h"
+#include "io/TextLines.h"
+#include "io/TimeSteps.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <string_view>
 
 namespace spherepacking
@@ -15,88 +18,131 @@ namespace spherepacking
 namespace
 {
 constexpr std::string_view Title = "ITEM: TIMESTEP";
-constexpr unsigned long long Overlap = 256; // of blocks
+// Small enough for a processor's cache, from which a block is searched.
+constexpr std::size_t BlockSize = 1 << 18;
+// By which blocks overlap, so that no title or number is cut in two.
+constexpr std::size_t Overlap = 256;
 
-// The next title that begins in [p, last); the text goes on to `end`.
-const char* FindTitle(const char* p, const char* last, const char* end)
+/// A title that was found in a block.
+struct FoundTitle
 {
-  const std::size_t at = std::string_view(p, end - p).find(Title);
-  return at != std::string_view::npos && p + at < last ? p + at : nullptr;
-}
+  unsigned long long At;
+  std::optional<double> Time;
+  bool IsCut;        // the file ends before the line of the number does
+  std::string Found; // instead of the number
+};
 
-// The number in the line after the title at `p`.
-double ReadTime(const char* p, const char* end, vtkIdType line)
+// Reads the number in the line after the title at `p`.
+void ReadTime(const char* p, const char* end, bool isFileEnd, FoundTitle& title)
 {
   LineFinder find(end);
-  const char* number = SkipBlanks(SkipLineEnd(find(p), end), end);
+  const char* const number = SkipBlanks(SkipLineEnd(find(p), end), end);
+  const char* const lineEnd = find(number);
+  title.IsCut = isFileEnd && lineEnd == end;
   double time = 0.0;
-  const char* after = ParseNumber(number, end, time);
-  if (!after || !Separators::Liberal().EndsNumber(*after))
+  const char* const after = lineEnd == end ? nullptr : ParseNumber(number, end, time);
+  if (after && Separators::Blanks().EndsNumber(*after))
   {
-    throw LineError(line + 1, "found " + Quote(number, find(number)) + ", expected the time step");
+    title.Time = time;
   }
-  return time;
+  else
+  {
+    title.Found = Quote(number, lineEnd);
+  }
 }
 
-// Finds the steps in blocks, which overlap by what a title and its number may take, so that none is
-// cut in two.
-std::vector<DumpStep> ScanBlocks(const std::string& file, unsigned long long size)
+// Scans the block [begin, last) at `offset`; the text goes on to `end`, and begin[-1] is the byte
+// before it.
+std::vector<FoundTitle> ScanBlock(
+  const char* begin, const char* last, const char* end, unsigned long long offset, bool isFileEnd)
 {
-  constexpr unsigned long long block = 16 << 20;
-  Progress silent(nullptr);
-  std::vector<DumpStep> steps;
-  vtkIdType line = 1;
-  char previous = '\n';
-  for (unsigned long long offset = 0; offset < size; offset += block)
+  std::vector<FoundTitle> titles;
+  const std::string_view text(begin, end - begin);
+  for (std::size_t at = text.find(Title); at != text.npos && begin + at < last;
+    at = text.find(Title, at + Title.size()))
   {
-    const unsigned long long length = std::min(block, size - offset);
-    const FileBytes bytes =
-      FileBytes::ReadRange(file, offset, std::min(length + Overlap, size - offset), silent);
-    const char* const begin = bytes.Begin();
-    const char* const last = begin + length;
-    // A CR LF across the cut was counted with its CR.
-    const char* counted = previous == '\r' && *begin == '\n' ? begin + 1 : begin;
-    for (const char* p = begin; (p = FindTitle(p, last, bytes.End())); p += Title.size())
+    const char* const p = begin + at;
+    if (IsLineEnd(p[-1]))
     {
-      if (IsLineEnd(p == begin ? previous : p[-1]))
-      {
-        line += CountLineEnds(counted, p);
-        counted = p;
-        const unsigned long long at = offset + (p - begin);
-        if (!steps.empty())
-        {
-          steps.back().End = at;
-        }
-        steps.push_back({ ReadTime(p, bytes.End(), line), at, size, line });
-      }
+      FoundTitle title{ offset + at, std::nullopt, false, {} };
+      ReadTime(p, end, isFileEnd, title);
+      titles.push_back(title);
     }
-    line += CountLineEnds(counted, last);
-    previous = last[-1];
   }
-  return steps;
+  return titles;
 }
 
-[[noreturn]] void ThrowNoStep(const FileBytes& head)
+// In parallel, since a thread by itself takes as long to search a dump as to have it from the disk.
+std::vector<std::vector<FoundTitle>> ScanFile(const std::string& file, unsigned long long size)
 {
+  std::vector<std::vector<FoundTitle>> blocks((size + BlockSize - 1) / BlockSize);
+  constexpr std::int64_t batch = 16; // blocks for which the file is opened once
+  const auto scan = [&](std::int64_t number)
+  {
+    FileRanges ranges(file);
+    std::vector<char> buffer(1 + BlockSize + Overlap + 1);
+    const std::size_t last = std::min<std::size_t>(blocks.size(), (number + 1) * batch);
+    for (std::size_t i = number * batch; i < last; ++i)
+    {
+      const unsigned long long offset = i * BlockSize;
+      const unsigned long long before = offset > 0;
+      const std::size_t length = std::min<unsigned long long>(BlockSize, size - offset);
+      const std::size_t all = std::min<unsigned long long>(length + Overlap, size - offset);
+      char* const begin = buffer.data() + 1;
+      begin[-1] = begin[all] = '\n';
+      ranges.Read(offset - before, begin - before, before + all);
+      blocks[i] = ScanBlock(begin, begin + length, begin + all, offset, offset + all == size);
+    }
+  };
+  SmpParallelFor()((static_cast<std::int64_t>(blocks.size()) + batch - 1) / batch, scan);
+  return blocks;
+}
+
+[[noreturn]] void ThrowNoStep(const std::string& file)
+{
+  const FileBytes head = FileBytes::ReadHead(file, Overlap);
   throw LineError(1,
     "found " + Quote(head.Begin(), LineFinder(head.End())(head.Begin())) +
       " and no later step, expected ITEM: TIMESTEP");
 }
+
+std::vector<TimeStep> JoinBlocks(const std::vector<std::vector<FoundTitle>>& blocks,
+  const std::string& file, unsigned long long size)
+{
+  std::vector<TimeStep> steps;
+  for (const std::vector<FoundTitle>& titles : blocks)
+  {
+    for (const FoundTitle& title : titles)
+    {
+      if (!steps.empty())
+      {
+        steps.back().End = title.At;
+      }
+      if (title.IsCut && !steps.empty())
+      {
+        return steps;
+      }
+      if (title.IsCut || !title.Time)
+      {
+        throw LineError(LineBlocks(file, 0, size).LinesBefore(title.At) + 2,
+          "found " + (title.IsCut ? "the end of the file" : title.Found) +
+            ", expected the time step" + (title.IsCut ? " and atoms after it" : ""));
+      }
+      steps.push_back({ title.Time, title.At, size });
+    }
+  }
+  if (steps.empty())
+  {
+    ThrowNoStep(file);
+  }
+  return steps;
+}
 }
 
 //------------------------------------------------------------------------------
-std::vector<DumpStep> FindDumpSteps(const std::string& file)
+std::vector<TimeStep> FindDumpSteps(const std::string& file)
 {
   const unsigned long long size = FileBytes::Size(file);
-  const auto find = [&]
-  {
-    std::vector<DumpStep> steps = ScanBlocks(file, size);
-    if (steps.empty())
-    {
-      ThrowNoStep(FileBytes::ReadHead(file, Overlap));
-    }
-    return steps;
-  };
-  return WithFileName(file, find);
+  return WithFileName(file, [&] { return JoinBlocks(ScanFile(file, size), file, size); });
 }
 }

@@ -14,43 +14,6 @@ namespace
 {
 using Fields = std::vector<std::string_view>;
 
-std::vector<Column> ParseColumns(const ReadOptions& options)
-{
-  const std::string& text = options.Columns;
-  Fields names;
-  for (std::size_t p = 0; p < text.size();)
-  {
-    const std::size_t begin = std::min(text.find_first_not_of(" \t\n,;", p), text.size());
-    const std::size_t end = std::min(text.find_first_of(" \t\n,;", begin), text.size());
-    if (begin != end)
-    {
-      names.push_back(std::string_view(text).substr(begin, end - begin));
-    }
-    p = end;
-  }
-  const auto isSkipped = [](std::string_view name) { return name == "-" || name == "_"; };
-  Fields wanted;
-  std::remove_copy_if(names.begin(), names.end(), std::back_inserter(wanted), isSkipped);
-
-  std::string complaint;
-  const auto found =
-    ColumnsFromNames(wanted, complaint, options.RadiusOptional ? Radii::Optional : Radii::Required);
-  if (!found || !complaint.empty())
-  {
-    throw ContentError(!complaint.empty()
-        ? "columns: " + complaint
-        : "columns: found " + Quote(text.data(), text.data() + text.size()) +
-          ", expected x, y, z and one of r, radius, d, diameter");
-  }
-  std::vector<Column> columns;
-  auto next = found->begin();
-  for (const std::string_view name : names)
-  {
-    columns.push_back(isSkipped(name) ? Column{ ColumnRole::Skipped, "-" } : *next++);
-  }
-  return columns;
-}
-
 // Separators that make as many fields of a row as there are columns.
 Separators SeparatorsFor(Format format, const TextRange& row, std::size_t count)
 {
@@ -85,10 +48,47 @@ bool IsProse(const TextRange& line, const TableLayout& layout)
 }
 
 //------------------------------------------------------------------------------
+std::vector<Column> GivenColumns(const ReadOptions& options)
+{
+  const std::string& text = options.Columns;
+  Fields names;
+  for (std::size_t p = 0; p < text.size();)
+  {
+    const std::size_t begin = std::min(text.find_first_not_of(" \t\n,;", p), text.size());
+    const std::size_t end = std::min(text.find_first_of(" \t\n,;", begin), text.size());
+    if (begin != end)
+    {
+      names.push_back(std::string_view(text).substr(begin, end - begin));
+    }
+    p = end;
+  }
+  const auto isSkipped = [](std::string_view name) { return name == "-" || name == "_"; };
+  Fields wanted;
+  std::remove_copy_if(names.begin(), names.end(), std::back_inserter(wanted), isSkipped);
+
+  std::string complaint;
+  const auto found = ColumnsFromNames(wanted, complaint, RadiiOf(options));
+  if (!found || !complaint.empty())
+  {
+    throw ContentError(!complaint.empty()
+        ? "columns: " + complaint
+        : "columns: found " + Quote(text.data(), text.data() + text.size()) +
+          ", expected x, y, z and one of r, radius, d, diameter");
+  }
+  std::vector<Column> columns;
+  auto next = found->begin();
+  for (const std::string_view name : names)
+  {
+    columns.push_back(isSkipped(name) ? Column{ ColumnRole::Skipped, "-" } : *next++);
+  }
+  return columns;
+}
+
+//------------------------------------------------------------------------------
 TableLayout LayoutOfColumns(Format format, const ReadOptions& options, TextRange& text)
 {
   TableLayout layout;
-  layout.Columns = ParseColumns(options);
+  layout.Columns = GivenColumns(options);
   layout.Expected = DescribeColumns(layout.Columns);
   for (;;)
   {

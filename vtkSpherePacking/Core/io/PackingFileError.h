@@ -8,6 +8,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 namespace spherepacking
 {
@@ -39,8 +40,11 @@ class LineError : public ContentError
 public:
   LineError(long long line, const std::string& what)
     : ContentError(what, "line " + std::to_string(line))
+    , Line(line)
   {
   }
+
+  long long Line;
 };
 
 /// Throws the PackingFileError "FILE, LOCATION: WHAT".

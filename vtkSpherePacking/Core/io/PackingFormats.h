@@ -9,7 +9,7 @@
 
 namespace spherepacking
 {
-struct DumpStep;
+struct TimeStep;
 
 /// The values of vtkSpherePackingReader::FileFormats.
 enum class Format
@@ -22,7 +22,17 @@ enum class Format
   Xyzd,
   Dump,
   Pqr,
-  SphereTree
+  SphereTree,
+  LammpsData,
+  Xyz,
+  Mercury,
+  Dock,
+  Hole,
+  Swc,
+  GenGeo,
+  MedialAxis,
+  Kratos,
+  PackLsd
 };
 
 /// How to read a file.
@@ -47,11 +57,26 @@ PackingArrays ReadTextTable(
 PackingArrays ReadPqr(const std::string& file, const ReadOptions& options, Progress& progress);
 PackingArrays ReadSphereTree(
   const std::string& file, const ReadOptions& options, Progress& progress);
+PackingArrays ReadDock(const std::string& file, const ReadOptions& options, Progress& progress);
+PackingArrays ReadHole(const std::string& file, const ReadOptions& options, Progress& progress);
+PackingArrays ReadSwc(const std::string& file, const ReadOptions& options, Progress& progress);
+PackingArrays ReadGenGeo(const std::string& file, const ReadOptions& options, Progress& progress);
+PackingArrays ReadMedialAxis(
+  const std::string& file, const ReadOptions& options, Progress& progress);
+PackingArrays ReadKratos(const std::string& file, const ReadOptions& options, Progress& progress);
+PackingArrays ReadPackLsd(const std::string& file, const ReadOptions& options, Progress& progress);
 PackingArrays ReadXyzd(const std::string& file, const ReadOptions& options, Progress& progress);
 
-/// Reads one of the steps that FindDumpSteps() found in the file.
+PackingArrays ReadLammpsData(
+  const std::string& file, const ReadOptions& options, Progress& progress);
+
+/// Reads one of the time steps that were found in the file, see io/TimeSteps.h.
 PackingArrays ReadDump(
-  const std::string& file, const DumpStep& step, const ReadOptions& options, Progress& progress);
+  const std::string& file, const TimeStep& step, const ReadOptions& options, Progress& progress);
+PackingArrays ReadXyz(
+  const std::string& file, const TimeStep& step, const ReadOptions& options, Progress& progress);
+PackingArrays ReadMercury(
+  const std::string& file, const TimeStep& step, const ReadOptions& options, Progress& progress);
 
 /// Throws a ContentError: "holds no sphere, expected EXPECTED".
 [[noreturn]] void ThrowNoSphere(const std::string& expected);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/DumpFile.h"
 
-#include "io/Number.h"
+#include "io/LineCursor.h"
 #include "io/PackingFileError.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <cstddef>
 #include <string_view>
 
 namespace spherepacking
@@ -19,26 +19,24 @@ using Fields = std::vector<std::string_view>;
 class HeaderScanner
 {
 public:
-  explicit HeaderScanner(const TextRange& text)
-    : Text(text)
-    , Find(text.End)
-    , Next(text.Begin)
-    , NextLine(text.FirstLine)
+  HeaderScanner(const TextRange& text, Radii radii)
+    : Lines(text)
+    , RadiiOfAtoms(radii)
   {
   }
 
   DumpHeader Scan()
   {
-    DumpHeader header{};
-    header.Count = -1;
-    while (this->Step("ITEM: ATOMS with the names of its columns"))
+    while (true)
     {
-      const std::string_view title = this->Line;
+      this->Step("ITEM: ATOMS with the names of its columns");
+      const std::string_view title = this->Lines.Line();
       const auto is = [&](std::string_view name) { return title.substr(0, name.size()) == name; };
       if (is("ITEM: NUMBER OF ATOMS"))
       {
-        header.CountLine = this->NextLine;
-        header.Count = this->ReadCount();
+        this->Header.CountLine = this->Lines.Number() + 1;
+        this->Step("the number of atoms");
+        this->Header.Count = this->Lines.Count("the number of atoms");
       }
       else if (is("ITEM: BOX BOUNDS"))
       {
@@ -50,72 +48,39 @@ public:
       }
       else if (!is("ITEM:"))
       {
-        throw LineError(this->NextLine - 1,
-          "found " + this->QuoteLine() + ", expected a line that begins with ITEM:");
+        this->Lines.Refuse("a line that begins with ITEM:");
       }
       else
       {
-        this->Step("the value of " + this->QuoteLine());
+        this->Step("the value of " + this->Lines.Quoted());
       }
     }
-    if (header.Count < 0)
+    if (this->Header.Count < 0)
     {
       throw LineError(
-        this->NextLine - 1, "found ITEM: ATOMS, expected ITEM: NUMBER OF ATOMS before it");
+        this->Lines.Number(), "found ITEM: ATOMS, expected ITEM: NUMBER OF ATOMS before it");
     }
-    this->SetColumns(header.Layout);
-    header.Atoms = { this->Next, this->Text.End, this->NextLine };
-    return header;
+    this->SetColumns(this->Header.Layout);
+    this->Header.Atoms = this->Lines.Rest();
+    return std::move(this->Header);
   }
 
 private:
-  // Moves on by a line, or throws if that was the last.
-  bool Step(const std::string& expected)
-  {
-    if (this->Next == this->Text.End)
-    {
-      throw LineError(this->NextLine - 1, "found the end of the step, expected " + expected);
-    }
-    const char* end = this->Find(this->Next);
-    this->Line = std::string_view(this->Next, end - this->Next);
-    this->Next = SkipLineEnd(end, this->Text.End);
-    ++this->NextLine;
-    return true;
-  }
+  void Step(const std::string& expected) { this->Lines.StepInto("the step", expected); }
 
-  std::string QuoteLine() const
+  // Whether a box is periodic along each axis: the title of most ends with flags such as pp, ff
+  // or fs, a letter for each face, of which p is periodic.
+  static std::array<bool, 3> Periodicity(const Fields& title)
   {
-    return Quote(this->Line.data(), this->Line.data() + this->Line.size());
-  }
-
-  // The numbers of the next line, which must hold nothing else.
-  std::vector<double> ReadNumbers(const std::string& expected)
-  {
-    this->Step(expected);
-    std::vector<double> numbers;
-    for (const std::string_view field : Separators::Liberal().Split(this->Line.data()))
+    std::array<bool, 3> periodic{ true, true, true };
+    const auto isFlag = [](std::string_view field)
+    { return field.size() == 2 && field.find_first_not_of("pfsm") == field.npos; };
+    if (title.size() >= 6 && std::all_of(title.end() - 3, title.end(), isFlag))
     {
-      double value;
-      const char* end = field.data() + field.size();
-      if (ParseNumber(field.data(), end, value) != end || !std::isfinite(value))
-      {
-        throw LineError(
-          this->NextLine - 1, "found " + this->QuoteLine() + ", expected " + expected);
-      }
-      numbers.push_back(value);
+      std::transform(title.end() - 3, title.end(), periodic.begin(),
+        [](std::string_view flag) { return flag == "pp"; });
     }
-    return numbers;
-  }
-
-  vtkIdType ReadCount()
-  {
-    const std::string expected = "the number of atoms";
-    const std::vector<double> numbers = this->ReadNumbers(expected);
-    if (numbers.size() != 1 || !IsCount(numbers[0]))
-    {
-      throw LineError(this->NextLine - 1, "found " + this->QuoteLine() + ", expected " + expected);
-    }
-    return static_cast<vtkIdType>(numbers[0]);
+    return periodic;
   }
 
   // "lo hi" a line, with "xy", "xz", "yz" as third numbers when tilted, in which case lo and hi
@@ -123,23 +88,25 @@ private:
   // a general triclinic box.
   void ReadBox()
   {
+    const std::string expected = "2 to 4 numbers that bound the box";
+    SimulationCell& cell = this->Header.Cell.emplace();
+    cell.Periodic = Periodicity(this->Lines.Fields());
     std::array<std::vector<double>, 3> rows;
     for (auto& row : rows)
     {
-      row = this->ReadNumbers("2 to 4 numbers that bound the box");
+      this->Step(expected);
+      row = this->Lines.Numbers(expected);
       if (row.size() < 2 || row.size() > 4 || row.size() != rows[0].size())
       {
-        throw LineError(this->NextLine - 1,
-          "found " + this->QuoteLine() + ", expected 2 to 4 numbers that bound the box");
+        this->Lines.Refuse(expected);
       }
     }
-    this->Box = BoxFrame{};
     if (rows[0].size() == 4)
     {
       for (int i = 0; i < 3; ++i)
       {
-        std::copy_n(rows[i].begin(), 3, this->Box->Edges[i]);
-        this->Box->Origin[i] = rows[i][3];
+        std::copy_n(rows[i].begin(), 3, cell.Vectors[i]);
+        cell.Origin[i] = rows[i][3];
       }
       return;
     }
@@ -153,19 +120,20 @@ private:
     rows[1][1] -= std::max(0.0, yz);
     for (int i = 0; i < 3; ++i)
     {
-      this->Box->Origin[i] = rows[i][0];
-      this->Box->Edges[i][i] = rows[i][1] - rows[i][0];
+      cell.Origin[i] = rows[i][0];
+      cell.Vectors[i][i] = rows[i][1] - rows[i][0];
     }
-    this->Box->Edges[1][0] = xy;
-    this->Box->Edges[2][0] = xz;
-    this->Box->Edges[2][1] = yz;
+    cell.Vectors[1][0] = xy;
+    cell.Vectors[2][0] = xz;
+    cell.Vectors[2][1] = yz;
   }
 
   // Sets the columns from the ITEM: ATOMS line. Coordinates may be plain (x), unwrapped (xu),
   // scaled, that is fractions of the box (xs), or both (xsu).
   void SetColumns(TableLayout& layout)
   {
-    Fields names = Separators::Liberal().Split(this->Line.data());
+    layout.Between = Separators::Blanks();
+    Fields names = this->Lines.Fields();
     names.erase(names.begin(), names.begin() + 2);
     const std::array<std::array<std::string_view, 3>, 4> families{ { { "x", "y", "z" },
       { "xu", "yu", "zu" }, { "xs", "ys", "zs" }, { "xsu", "ysu", "zsu" } } };
@@ -184,57 +152,74 @@ private:
         const auto axis = std::find(family->begin(), family->end(), names[i]);
         plain[i] = axis == family->end() ? names[i] : families[0][axis - family->begin()];
       }
-      columns = ColumnsFromNames(plain, complaint);
+      columns = ColumnsFromNames(plain, complaint, this->RadiiOfAtoms);
     }
     if (!columns)
     {
-      throw LineError(this->NextLine - 1,
-        "found the columns " + this->QuoteLine() +
+      throw LineError(this->Lines.Number(),
+        "found the columns " + this->Lines.Quoted() +
           ", expected x, y, z (or xu, xs, xsu and so on) and radius or diameter");
     }
     if (!complaint.empty())
     {
-      throw LineError(this->NextLine - 1, complaint);
+      throw LineError(this->Lines.Number(), complaint);
     }
     if (family - families.begin() >= 2)
     {
-      if (!this->Box)
+      if (!this->Header.Cell)
       {
-        throw LineError(this->NextLine - 1,
+        throw LineError(this->Lines.Number(),
           "found centres as fractions of the box, expected ITEM: BOX BOUNDS before them");
       }
-      layout.Box = this->Box;
+      layout.Box = this->Header.Cell;
     }
     layout.Columns = *columns;
     layout.Expected = DescribeColumns(layout.Columns);
   }
 
-  TextRange Text;
-  LineFinder Find;
-  const char* Next;
-  vtkIdType NextLine;
-  std::string_view Line;
-  std::optional<BoxFrame> Box;
+  LineCursor Lines;
+  Radii RadiiOfAtoms;
+  DumpHeader Header;
 };
 
-// Columns of text, such as element, are recognised by the first row.
-void MarkText(DumpHeader& header)
+// The length of what was written of a next title, if the run was stopped within ITEM:.
+std::ptrdiff_t LengthOfCutTitle(const TextRange& text)
 {
-  LineFinder find(header.Atoms.End);
-  for (const char* p = header.Atoms.Begin; p != header.Atoms.End;)
+  constexpr std::string_view title = "ITEM:";
+  const char* p = text.End;
+  while (p != text.Begin && !IsLineEnd(p[-1]))
   {
-    const char* end = find(p);
-    if (IsRow(RowKind::Data, p, end))
-    {
-      MarkTextColumns(header.Layout, p);
-      return;
-    }
-    p = SkipLineEnd(end, header.Atoms.End);
+    --p;
   }
+  const std::string_view last(p, text.End - p);
+  return last.size() < title.size() && title.substr(0, last.size()) == last ? last.size() : 0;
+}
 }
 
-// The atoms end at the next title, which need not be the ITEM: TIMESTEP of the next step.
-const char* AtomsEnd(const TextRange& text)
+//------------------------------------------------------------------------------
+bool HasDumpHeader(const TextRange& text)
+{
+  LineCursor lines(text);
+  while (lines.Step())
+  {
+    if (lines.Line().substr(0, 11) == "ITEM: ATOMS")
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+DumpHeader ReadDumpHeader(const TextRange& text, Radii radii)
+{
+  DumpHeader header = HeaderScanner(text, radii).Scan();
+  MarkTextByFirstRow(header.Layout, { header.Atoms.Begin, EndOfAtoms(header.Atoms) });
+  return header;
+}
+
+//------------------------------------------------------------------------------
+const char* EndOfAtoms(const TextRange& text)
 {
   const std::string_view view(text.Begin, text.End - text.Begin);
   for (std::size_t at = view.find("ITEM:"); at != view.npos; at = view.find("ITEM:", at + 1))
@@ -244,16 +229,6 @@ const char* AtomsEnd(const TextRange& text)
       return text.Begin + at;
     }
   }
-  return text.End;
-}
-}
-
-//------------------------------------------------------------------------------
-DumpHeader ReadDumpHeader(const TextRange& text)
-{
-  DumpHeader header = HeaderScanner(text).Scan();
-  header.Atoms.End = AtomsEnd(header.Atoms);
-  MarkText(header);
-  return header;
+  return text.End - LengthOfCutTitle(text);
 }
 }

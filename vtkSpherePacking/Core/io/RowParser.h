@@ -2,9 +2,11 @@
 #ifndef RowParser_h
 #define RowParser_h
 
+#include "base/Dispatch.h"
 #include "io/Number.h"
 #include "io/PrintableText.h"
 #include "io/ShortRow.h"
+#include "io/ShortRows.h"
 #include "io/TableLayout.h"
 
 #include <algorithm>
@@ -70,6 +72,21 @@ public:
         std::vector<ColumnRole>{ ColumnRole::X, ColumnRole::Y, ColumnRole::Z, ColumnRole::Radius };
   }
 
+  /// Parses lines from `p` on into rows `row` and so on of the arrays, moving `row` on, as long as
+  /// they are of the most common form; returns the first that is not. `end` is the end of a line.
+  const char* ParsePlainRows(const char* p, const char* end, vtkIdType& row) const
+  {
+#if defined(SPHEREPACKING_HAS_AVX2)
+    if (this->IsPlain && HasAvx2())
+    {
+      long long count = 0;
+      p = ParseShortRowsAvx2(p, end, this->Centers + 3 * row, this->Radii + row, count);
+      row += count;
+    }
+#endif
+    return p;
+  }
+
   /// Parses the line at `p` into row `row` of the arrays. Returns the line end, or null with
   /// `fault` set.
   const char* Parse(const char* p, vtkIdType row, RowFault& fault) const
@@ -79,7 +96,7 @@ public:
       return end;
     }
     const int count = static_cast<int>(this->Roles.size());
-    Coordinate center[3];
+    Coordinate center[3] = {}; // two-dimensional rows have no z
     p = this->Between.SkipBlanks(p);
     for (int column = 0; column < count; ++column)
     {
@@ -257,9 +274,9 @@ private:
     {
       if constexpr (Scaled)
       {
-        const BoxFrame& box = *this->Layout.Box;
-        to[axis] = static_cast<Real>(box.Origin[axis] + center[0] * box.Edges[0][axis] +
-          center[1] * box.Edges[1][axis] + center[2] * box.Edges[2][axis]);
+        const SimulationCell& box = *this->Layout.Box;
+        to[axis] = static_cast<Real>(box.Origin[axis] + center[0] * box.Vectors[0][axis] +
+          center[1] * box.Vectors[1][axis] + center[2] * box.Vectors[2][axis]);
         if (!std::isfinite(to[axis]))
         {
           const auto column =

@@ -23,6 +23,14 @@ public:
   /// Fields are separated by exactly one `delimiter`, may be empty and may be in double quotes.
   static Separators Strict(char delimiter) { return Separators(delimiter); }
 
+  /// Fields are separated by blanks alone, and there are no comments.
+  static Separators Blanks()
+  {
+    Separators blanks(0);
+    blanks.At(',') = blanks.At(';') = blanks.At('#') = Kind::Other;
+    return blanks;
+  }
+
   bool IsStrict() const { return this->Strictly; }
   bool IsBlank(char c) const { return this->Of(c) == Kind::Blank; }
   bool IsDelimiter(char c) const { return this->Of(c) == Kind::Delimiter; }

@@ -3,8 +3,17 @@
 
 #include "io/Number.h"
 
+#include <algorithm>
+
 namespace spherepacking
 {
+//------------------------------------------------------------------------------
+bool HasRadius(const std::vector<Column>& columns)
+{
+  return std::any_of(columns.begin(), columns.end(), [](const Column& column)
+    { return column.Role == ColumnRole::Radius || column.Role == ColumnRole::Diameter; });
+}
+
 //------------------------------------------------------------------------------
 bool IsNumber(std::string_view field)
 {
@@ -24,6 +33,22 @@ void MarkTextColumns(TableLayout& layout, const char* p)
     {
       column.Role = ColumnRole::Text;
     }
+  }
+}
+
+//------------------------------------------------------------------------------
+void MarkTextByFirstRow(TableLayout& layout, const TextRange& rows)
+{
+  LineFinder find(rows.End);
+  for (const char* p = rows.Begin; p != rows.End;)
+  {
+    const char* end = find(p);
+    if (IsRow(layout.Rows, p, end))
+    {
+      MarkTextColumns(layout, p);
+      return;
+    }
+    p = SkipLineEnd(end, rows.End);
   }
 }
 

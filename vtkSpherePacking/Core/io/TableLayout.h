@@ -14,14 +14,6 @@
 
 namespace spherepacking
 {
-/// The periodic box of scaled coordinates: x, y, z lie at Origin + x Edges[0] + y Edges[1] +
-/// z Edges[2].
-struct BoxFrame
-{
-  double Origin[3];
-  double Edges[3][3];
-};
-
 /// Which columns of a table somebody has named.
 enum class Naming : unsigned char
 {
@@ -37,8 +29,8 @@ struct TableLayout
   std::vector<Column> Columns;
   Separators Between = Separators::Liberal();
   RowKind Rows = RowKind::Data;
-  std::optional<BoxFrame> Box; ///< if the coordinates are scaled, that is fractions of this box
-  std::string Expected;        ///< describes the columns, for messages
+  std::optional<SimulationCell> Box; ///< if the coordinates are scaled, that is fractions of it
+  std::string Expected;              ///< describes the columns, for messages
   Naming Named = Naming::All;
   std::optional<SimulationCell> Cell; ///< that of the packing, where the header gives one
 };
@@ -46,6 +38,12 @@ struct TableLayout
 /// Makes those further columns text that hold anything but a number in the row at `p`; an empty
 /// field does not count.
 void MarkTextColumns(TableLayout& layout, const char* p);
+
+/// The same by the first row of `rows`, if there is any.
+void MarkTextByFirstRow(TableLayout& layout, const TextRange& rows);
+
+/// Whether a radius or diameter is among the columns.
+bool HasRadius(const std::vector<Column>& columns);
 
 /// Whether the whole of `field` is a number.
 bool IsNumber(std::string_view field);

@@ -2,11 +2,10 @@
 #ifndef TextChunks_h
 #define TextChunks_h
 
+#include "io/PdbRecord.h"
 #include "io/Progress.h"
 #include "io/TextLines.h"
 
-#include <cstddef>
-#include <cstring>
 #include <vector>
 
 namespace spherepacking
@@ -15,7 +14,7 @@ namespace spherepacking
 enum class RowKind : unsigned char
 {
   Data, ///< all but blank ones and those that begin with #
-  Atom  ///< those that begin with ATOM or HETATM
+  Atom  ///< the records ATOM and HETATM
 };
 
 /// Whether the line that begins at `begin` is a row. `*end` must be a line end, but may be that of
@@ -24,9 +23,7 @@ inline bool IsRow(RowKind kind, const char* begin, const char* end)
 {
   if (kind == RowKind::Atom)
   {
-    const auto begins = [&](const char* record, std::ptrdiff_t length)
-    { return end - begin >= length && std::memcmp(begin, record, length) == 0; };
-    return begins("ATOM", 4) || begins("HETATM", 6);
+    return IsAtomRecord(begin, end);
   }
   begin = SkipBlanks(begin, end);
   return *begin != '#' && !IsLineEnd(*begin);

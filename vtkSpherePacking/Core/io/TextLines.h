@@ -4,7 +4,6 @@
 
 #include "vtkType.h"
 
-#include <algorithm>
 #include <cstring>
 
 namespace spherepacking
@@ -49,8 +48,8 @@ inline const char* SkipLineEnd(const char* p, const char* end)
 }
 
 /**
- * Finds line ends in ascending order. It remembers the next LF and the next CR, so that a text with
- * only one of the two is still scanned in linear time.
+ * Finds line ends in ascending order. It remembers the next LF, so that a text that ends its lines
+ * in CR is still scanned in linear time, and looks for a CR before that alone.
  */
 class LineFinder
 {
@@ -66,25 +65,20 @@ public:
   {
     if (!this->NextLf || this->NextLf < p)
     {
-      this->NextLf = this->Find(p, '\n');
+      this->NextLf = Find(p, this->End, '\n');
     }
-    if (!this->NextCr || this->NextCr < p)
-    {
-      this->NextCr = this->Find(p, '\r');
-    }
-    return std::min(this->NextLf, this->NextCr);
+    return Find(p, this->NextLf, '\r');
   }
 
 private:
-  const char* Find(const char* p, char c) const
+  static const char* Find(const char* p, const char* end, char c)
   {
-    const void* found = p < this->End ? std::memchr(p, c, this->End - p) : nullptr;
-    return found ? static_cast<const char*>(found) : this->End;
+    const void* found = p < end ? std::memchr(p, c, end - p) : nullptr;
+    return found ? static_cast<const char*>(found) : end;
   }
 
   const char* End;
   const char* NextLf = nullptr;
-  const char* NextCr = nullptr;
 };
 
 /// How many line terminators [begin, end) holds.

@@ -5,7 +5,9 @@
 #include "io/RowParser.h"
 
 #include <algorithm>
+#include <atomic>
 #include <memory>
+#include <string>
 #include <string_view>
 
 namespace spherepacking
@@ -15,49 +17,8 @@ namespace
 struct BadRow
 {
   const char* Line = nullptr;
-  const char* Row = nullptr; // where parsing began, which is not the line for an ATOM record
   RowFault Fault{};
 };
-
-// Whether [begin, end) has the fields that come first in an ATOM record: ATOM, number, name,
-// residue and number of the residue, at least. If one is missing, the last fields are not those
-// expected.
-bool HasLeadingFields(const TableLayout& layout, const char* begin, const char* end)
-{
-  constexpr std::size_t minimum = 5;
-  std::size_t count = 0;
-  std::string_view last;
-  for (const char* p = SkipBlanks(begin, end); p != end; p = SkipBlanks(p, end))
-  {
-    const char* next = std::min(layout.Between.FieldEnd(p), end);
-    next += next == p; // a lone separator
-    last = std::string_view(p, next - p);
-    p = next;
-    ++count;
-  }
-  // With five, the last is the residue's number, and not the letter of a chain without digits.
-  return count > minimum || (count == minimum && last.find_first_of("0123456789") != last.npos);
-}
-
-// Where the layout's columns begin in an ATOM record, which has them last, after a varying number
-// of others (T. Dolinsky et al., "PDB2PQR: an automated pipeline for the setup of
-// Poisson-Boltzmann electrostatics calculations", 2004).
-const char* FirstField(const TableLayout& layout, const char* begin, const char* end)
-{
-  const char* p = end;
-  for (std::size_t field = 0; field < layout.Columns.size(); ++field)
-  {
-    while (p != begin && IsBlank(p[-1]))
-    {
-      --p;
-    }
-    while (p != begin && !IsBlank(p[-1]))
-    {
-      --p;
-    }
-  }
-  return p;
-}
 
 template <typename Parser>
 void ParseChunk(
@@ -67,21 +28,14 @@ void ParseChunk(
   vtkIdType row = chunk.FirstRow;
   for (const char* p = chunk.Begin; p != chunk.End;)
   {
+    p = parser.ParsePlainRows(p, chunk.End, row);
     const char* end = p;
-    if (IsRow(layout.Rows, p, chunk.End))
+    if (p != chunk.End && IsRow(layout.Rows, p, chunk.End))
     {
-      const bool atom = layout.Rows == RowKind::Atom;
-      const char* first = atom ? FirstField(layout, p, find(p)) : p;
-      if (atom && !HasLeadingFields(layout, p, first))
-      {
-        bad = { p, p, { RowFault::TooFewColumns, 0, p } };
-        return;
-      }
-      end = parser.Parse(first, row, bad.Fault);
+      end = parser.Parse(p, row, bad.Fault);
       if (!end)
       {
         bad.Line = p;
-        bad.Row = first;
         return;
       }
       ++row;
@@ -91,21 +45,26 @@ void ParseChunk(
   }
 }
 
+[[noreturn]] void ThrowColumnCount(vtkIdType line, const TableLayout& layout, const char* begin)
+{
+  const std::size_t found = layout.Between.Split(begin).size();
+  const char* end = begin;
+  while (!IsLineEnd(*end))
+  {
+    ++end;
+  }
+  throw LineError(line,
+    "found " + std::to_string(found) + (found == 1 ? " column " : " columns ") +
+      Quote(SkipBlanks(begin, end), end) + ", expected " + layout.Expected);
+}
+
 [[noreturn]] void ThrowBadRow(const TextChunk& chunk, const TableLayout& layout, const BadRow& bad)
 {
   const vtkIdType line = chunk.FirstLine + CountLineEnds(chunk.Begin, bad.Line);
   const RowFault& fault = bad.Fault;
   if (fault.What == RowFault::TooFewColumns || fault.What == RowFault::TooManyColumns)
   {
-    const std::size_t found = layout.Between.Split(bad.Row).size();
-    const char* end = bad.Line;
-    while (!IsLineEnd(*end))
-    {
-      ++end;
-    }
-    throw LineError(line,
-      "found " + std::to_string(found) + (found == 1 ? " column " : " columns ") +
-        Quote(SkipBlanks(bad.Line, end), end) + ", expected " + layout.Expected);
+    ThrowColumnCount(line, layout, bad.Line);
   }
   const Column& column = layout.Columns[fault.Column];
   // A radius is called so even if the column is called r.
@@ -117,34 +76,15 @@ void ParseChunk(
   const char* expected = fault.What == RowFault::NotANumber ? "a number"
     : fault.What == RowFault::NotFinite                     ? "a finite number"
                                                             : "a number that is not negative";
-  // The columns of an ATOM record are counted from its end, so a number would mislead.
-  const std::string where = layout.Rows == RowKind::Atom
-    ? " (" + layout.Expected + ")"
-    : " in column " + std::to_string(fault.Column + 1);
-  throw LineError(line, "found " + field + " as " + name + where + ", expected " + expected);
+  throw LineError(line,
+    "found " + field + " as " + name + " in column " + std::to_string(fault.Column + 1) +
+      ", expected " + expected);
 }
 
-// Parses the rows into arrays. Returns whether a column of numbers turned out to be text, whose
-// role in `layout` is that from then on.
 template <typename Real, bool Scaled>
-bool ParseInto(PackingArrays& arrays, const char* textEnd, TableLayout& layout,
-  const std::vector<TextChunk>& chunks, Progress& progress)
+void ParseInto(PackingArrays& arrays, const ExtraColumns& extras, const char* textEnd,
+  const TableLayout& layout, const std::vector<TextChunk>& chunks, Progress& progress)
 {
-  const std::size_t columns = layout.Columns.size();
-  ExtraColumns extras{ std::vector<double*>(columns), std::vector<std::string*>(columns),
-    std::make_unique<std::atomic<bool>[]>(columns) };
-  for (std::size_t i = 0; i < columns; ++i)
-  {
-    const Column& column = layout.Columns[i];
-    if (column.Role == ColumnRole::Extra)
-    {
-      extras.Numbers[i] = arrays.AddExtra(column.Name);
-    }
-    else if (column.Role == ColumnRole::Text)
-    {
-      extras.Texts[i] = arrays.AddText(column.Name);
-    }
-  }
   const RowParser<Real, Scaled> parser(
     layout, textEnd, arrays.Centers<Real>(), arrays.Radii<Real>(), extras);
 
@@ -174,41 +114,122 @@ bool ParseInto(PackingArrays& arrays, const char* textEnd, TableLayout& layout,
       }
     },
     throwIfFailed);
+}
+}
 
-  bool turned = false;
+//------------------------------------------------------------------------------
+TableParser::TableParser(const TableLayout& layout, vtkIdType count, bool single)
+  : Rows(layout)
+  , Arrays(count, single, HasRadius(layout.Columns))
+  , Extras(new ExtraColumns)
+{
+  const std::size_t columns = layout.Columns.size();
+  *this->Extras = { std::vector<double*>(columns), std::vector<std::string*>(columns),
+    std::make_unique<std::atomic<bool>[]>(columns) };
   for (std::size_t i = 0; i < columns; ++i)
   {
-    if (extras.IsText[i])
+    const Column& column = layout.Columns[i];
+    if (column.Role == ColumnRole::Extra)
     {
-      layout.Columns[i].Role = ColumnRole::Text;
-      turned = true;
+      this->Extras->Numbers[i] = this->Arrays.AddExtra(column.Name);
+    }
+    else if (column.Role == ColumnRole::Text)
+    {
+      this->Extras->Texts[i] = this->Arrays.AddText(column.Name);
     }
   }
-  return turned;
 }
+
+//------------------------------------------------------------------------------
+TableParser::~TableParser() = default;
+
+//------------------------------------------------------------------------------
+void TableParser::Parse(
+  const char* textEnd, const std::vector<TextChunk>& chunks, Progress& progress)
+{
+  const bool scaled = this->Rows.Box.has_value();
+  const auto parse = this->Arrays.IsSingle()
+    ? (scaled ? ParseInto<float, true> : ParseInto<float, false>)
+    : (scaled ? ParseInto<double, true> : ParseInto<double, false>);
+  parse(this->Arrays, *this->Extras, textEnd, this->Rows, chunks, progress);
+}
+
+//------------------------------------------------------------------------------
+std::optional<TableLayout> TableParser::LayoutWithText() const
+{
+  std::optional<TableLayout> layout;
+  for (std::size_t i = 0; i < this->Rows.Columns.size(); ++i)
+  {
+    if (this->Extras->IsText[i])
+    {
+      if (!layout)
+      {
+        layout = this->Rows;
+      }
+      layout->Columns[i].Role = ColumnRole::Text;
+    }
+  }
+  return layout;
 }
 
 //------------------------------------------------------------------------------
 PackingArrays ParseTable(const char* textEnd, const TableLayout& layout,
   const std::vector<TextChunk>& chunks, bool single, Progress& progress)
 {
-  const bool scaled = layout.Box.has_value();
-  const auto parse = single ? (scaled ? ParseInto<float, true> : ParseInto<float, false>)
-                            : (scaled ? ParseInto<double, true> : ParseInto<double, false>);
-  const bool hasRadii =
-    std::any_of(layout.Columns.begin(), layout.Columns.end(), [](const Column& column)
-      { return column.Role == ColumnRole::Radius || column.Role == ColumnRole::Diameter; });
-  TableLayout roles = layout;
+  std::optional<TableLayout> roles = layout;
+  while (true)
   {
-    PackingArrays arrays(CountRows(chunks), single, hasRadii);
-    if (!parse(arrays, textEnd, roles, chunks, progress))
+    TableParser parser(*roles, CountRows(chunks), single);
+    parser.Parse(textEnd, chunks, progress);
+    roles = parser.LayoutWithText();
+    if (!roles)
     {
-      return arrays;
+      return parser.Take();
     }
   }
-  // Again, since the text of rows before the first that was no number is gone.
-  PackingArrays arrays(CountRows(chunks), single, hasRadii);
-  parse(arrays, textEnd, roles, chunks, progress);
-  return arrays;
+}
+
+//------------------------------------------------------------------------------
+void CheckNoShortRow(const TextRange& text, const TableLayout& layout)
+{
+  LineFinder find(text.End);
+  vtkIdType line = text.FirstLine;
+  for (const char* p = text.Begin; p != text.End; ++line)
+  {
+    const char* const end = find(p);
+    if (IsRow(layout.Rows, p, end) && layout.Between.Split(p).size() < layout.Columns.size())
+    {
+      ThrowColumnCount(line, layout, p);
+    }
+    p = SkipLineEnd(end, text.End);
+  }
+}
+
+//------------------------------------------------------------------------------
+void CheckNotCut(const TextRange& rows)
+{
+  const char* last = rows.End;
+  if (last == rows.Begin || IsLineEnd(last[-1]))
+  {
+    return;
+  }
+  while (last != rows.Begin && !IsLineEnd(last[-1]))
+  {
+    --last;
+  }
+  throw LineError(rows.FirstLine + CountLineEnds(rows.Begin, last),
+    "found the end of the file within the row " + Quote(last, rows.End) +
+      ", expected a line end after every row");
+}
+
+//------------------------------------------------------------------------------
+void CheckCount(vtkIdType count, const char* things, vtkIdType line, vtkIdType rows)
+{
+  if (rows != count)
+  {
+    throw LineError(line,
+      "found " + std::to_string(count) + " as the number of " + things + ", but " +
+        std::to_string(rows) + " lines of " + things + " follow, expected as many");
+  }
 }
 }

@@ -1,0 +1,153 @@
+"""Packings in GSD files, which HOOMD-blue writes."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+import pyvista as pv
+
+from .errors import PackingFileError
+from .source import Request, finished
+
+if TYPE_CHECKING:
+    from pathlib import Path
+    from typing import Any
+
+# Further arrays of particles, and what they are called here; those in the file are kept.
+_ARRAYS = {
+    "velocity": "velocity",
+    "image": "image",
+    "mass": "mass",
+    "charge": "charge",
+    "body": "body",
+    "orientation": "orientation",
+    "angmom": "angular_momentum",
+    "moment_inertia": "moment_inertia",
+}
+
+
+class GsdFile:
+    """A GSD file of the schema hoomd; each frame is a step.
+
+    The schema says that a particle without a diameter has the diameter 1. Nobody may have meant
+    that, so such a file has no radii. Hard spheres have theirs in the shapes of types.
+
+    Parameters
+    ----------
+    path : pathlib.Path
+        File to read.
+    request : Request
+        How to read it.
+
+    Raises
+    ------
+    ImportError
+        If the library gsd is not installed.
+    PackingFileError
+        If it is no such file.
+    """
+
+    def __init__(self, path: Path, request: Request) -> None:
+        try:
+            import gsd.fl
+            import gsd.hoomd
+        except ImportError:
+            raise ImportError(
+                f"{path}: found a GSD file, which the library gsd reads, expected that to be "
+                "installed: pip install 'spherepacking[formats]'"
+            ) from None
+        self._path = path
+        self._request = request
+        try:
+            self._trajectory = gsd.hoomd.open(str(path), "r")
+            file = self._trajectory.file
+            self.times = [self._time(file, i) for i in range(len(self._trajectory))]
+        except (OSError, RuntimeError, ValueError, KeyError) as error:
+            raise PackingFileError(
+                f"{path}: found no GSD file of the schema hoomd, expected one: {error}"
+            ) from None
+        if not self.times:
+            raise PackingFileError(f"{path}: found no frame, expected a GSD file with one or more")
+
+    @staticmethod
+    def _time(file: Any, index: int) -> float:
+        """Step of a frame; without one, that of the first frame, or else 0."""
+        for frame in (index, 0):
+            if file.chunk_exists(frame=frame, name="configuration/step"):
+                return float(file.read_chunk(frame=frame, name="configuration/step")[0])
+        return 0.0
+
+    def read(self, index: int) -> pv.PolyData:
+        """Read the packing of a frame."""
+        try:
+            frame = self._trajectory[index]
+            frame.validate()
+        except (OSError, RuntimeError, ValueError, KeyError) as error:
+            raise PackingFileError(
+                f"{self._path}: found a frame {index} that cannot be read, expected a whole one: "
+                f"{error}"
+            ) from None
+        packing = pv.PolyData(np.asarray(frame.particles.position))
+        if packing.n_points:
+            self._add_arrays(packing, frame, index)
+        _add_cell(packing, frame.configuration)
+        packing.field_data["TimeValue"] = [self.times[index]]
+        if self._request.radius is None and packing.n_points and "radius" not in packing.point_data:
+            raise PackingFileError(
+                f"{self._path}: found no diameters in frame {index} (the default of 1 is not "
+                "taken), expected them, or radius=0.5 or one for each type"
+            )
+        return finished(packing, self._path, self._request)
+
+    def _add_arrays(self, packing: pv.PolyData, frame: Any, index: int) -> None:
+        """Add what the file holds about the particles."""
+        particles = frame.particles
+        data = packing.point_data
+        if particles.typeid.max() >= len(particles.types):
+            raise PackingFileError(
+                f"{self._path}: found the type {particles.typeid.max()} in frame {index}, "
+                f"expected one of the {len(particles.types)} types"
+            )
+        data["type"] = particles.typeid.astype(np.int64)
+        data["type_name"] = np.array(particles.types)[particles.typeid]
+        for name, array in _ARRAYS.items():
+            if self._has(name, frame, index):
+                data[array] = getattr(particles, name)
+        for name, values in frame.log.items():
+            if name.startswith("particles/") and len(values) == packing.n_points:
+                data[name.removeprefix("particles/")] = values
+        if self._has("diameter", frame, index):
+            data["radius"] = 0.5 * particles.diameter.astype(np.float64)
+        elif radii := [_radius_of(shape) for shape in particles.type_shapes or ()]:
+            used = [radii[i] if i < len(radii) else None for i in range(len(particles.types))]
+            values = np.array([np.nan if r is None else r for r in used])[particles.typeid]
+            if not np.isnan(values).any():
+                data["radius"] = values
+
+    def _has(self, name: str, frame: Any, index: int) -> bool:
+        """Whether the values are the file's rather than the default.
+
+        A frame that lacks them has those of the first frame, if both have as many particles.
+        """
+        file, chunk = self._trajectory.file, f"particles/{name}"
+        if file.chunk_exists(frame=index, name=chunk):
+            return True
+        first = self._trajectory[0].particles
+        return file.chunk_exists(frame=0, name=chunk) and first.N == frame.particles.N
+
+
+def _radius_of(shape: dict[str, Any]) -> float | None:
+    """Radius of a type's shape; None unless it is a sphere."""
+    sphere = shape.get("type") == "Sphere" and "diameter" in shape
+    return 0.5 * float(shape["diameter"]) if sphere else None
+
+
+def _add_cell(packing: pv.PolyData, configuration: Any) -> None:
+    """Add the periodic box, which is centred at the origin, as field arrays."""
+    lx, ly, lz, xy, xz, yz = (float(value) for value in configuration.box)
+    vectors = np.array([[lx, 0.0, 0.0], [xy * ly, ly, 0.0], [xz * lz, yz * lz, lz]])
+    packing.field_data["cell_vectors"] = vectors
+    packing.field_data["cell_origin"] = -0.5 * vectors.sum(axis=0)
+    flat = configuration.dimensions == 2
+    packing.field_data["cell_periodic"] = np.array([1, 1, 0 if flat else 1], np.uint8)

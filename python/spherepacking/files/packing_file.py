@@ -1,0 +1,165 @@
+"""One file of a packing, whichever format and compression it has."""
+
+from __future__ import annotations
+
+import importlib
+from contextlib import nullcontext
+from typing import TYPE_CHECKING
+
+from ..vtk_tools import progress_bar
+from .compressed import Uncompressed, compression_of, inner_name
+from .errors import PackingFileError
+from .kinds import what_else
+from .readers import SpherePackingReader
+from .source import finished
+from .vtk_files import EXTENSIONS as VTK_EXTENSIONS
+from .vtk_files import INDICES, SINGLE_STEP
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    import pyvista as pv
+
+    from .source import PackingSource, Request
+
+# Seconds before a progress bar appears, so that short work shows none.
+_BAR_DELAY = 0.5
+# Classes that read what the C++ reader does not, by extension. Their libraries are imported when
+# they are needed.
+_CLASSES = {
+    **dict.fromkeys(VTK_EXTENSIONS, (".vtk_files", "VtkFile")),
+    ".gsd": (".gsd_files", "GsdFile"),
+    **dict.fromkeys((".pdb", ".ent", ".cif", ".mmcif"), (".molecules", "MoleculeFile")),
+}
+
+
+def open_file(path: Path, request: Request) -> PackingSource:
+    """Open a file of any format, compressed or not.
+
+    Parameters
+    ----------
+    path : pathlib.Path
+        File to read.
+    request : Request
+        How to read it.
+
+    Returns
+    -------
+    PackingSource
+        Its steps.
+
+    Raises
+    ------
+    FileNotFoundError
+        If there is no such file.
+    ImportError
+        If a library is missing.
+    IsADirectoryError
+        If `path` is a directory.
+    OSError
+        If it is a pipe or a device.
+    PackingFileError
+        If it is no such file.
+    """
+    if path.is_dir():
+        raise IsADirectoryError(f"{path}: found a directory, expected a file with a packing")
+    if not path.exists():
+        raise FileNotFoundError(f"{path}: there is no such file")
+    if not path.is_file():
+        raise OSError(f"{path}: found a pipe or a device, expected a file")
+    compression = compression_of(path)
+    if compression is None:
+        return _open(path, path, request)
+    return CompressedFile(path, compression, request)
+
+
+def has_one_step(path: Path) -> bool:
+    """Whether the name of a file says that it holds no more than one step."""
+    return inner_name(path).lower().endswith(SINGLE_STEP)
+
+
+def _open(path: Path, shown: Path, request: Request) -> PackingSource:
+    """Open a file that is not compressed and that the user calls `shown`."""
+    home = _CLASSES.get(path.suffix.lower())
+    if home is None:
+        return _PlainFile(path, shown, request)
+    if request.columns is not None:
+        raise PackingFileError(
+            f"{path}: found names of columns for a file of the extension {path.suffix}, expected "
+            "them for a table in text"
+        )
+    module, name = home
+    source: PackingSource = getattr(importlib.import_module(module, __package__), name)(
+        path, request
+    )
+    return source
+
+
+class _PlainFile:
+    """A file that the C++ reader reads."""
+
+    def __init__(self, path: Path, shown: Path, request: Request) -> None:
+        self._path, self._shown, self._request = path, shown, request
+        self._reader = SpherePackingReader(path)
+        self._reader.precision = request.precision
+        self._reader.reader.SetColumns(request.columns or "")
+        self._reader.reader.SetRadiusOptional(request.radius is not None)
+        self.times = self._reader.time_values
+
+    def read(self, index: int) -> pv.PolyData:
+        """Read the packing of a step."""
+        reader = self._reader
+        if self.times:
+            reader.set_active_time_point(index)
+        # What was read before belongs to whoever asked for it.
+        reader.reader.Modified()
+        bar = progress_bar(reader.reader, f"Reading {self._shown.name}", _BAR_DELAY)
+        try:
+            with bar if self._request.progress else nullcontext():
+                packing = reader.read()
+        except PackingFileError:
+            sentence = what_else(self._path)
+            if sentence is None:
+                raise
+            raise PackingFileError(sentence) from None
+        if self._request.radius is None:
+            return packing
+        return finished(packing, self._path, self._request)
+
+
+class CompressedFile:
+    """A file in a temporary folder, which goes away with this object.
+
+    Parameters
+    ----------
+    path : pathlib.Path
+        Compressed file.
+    compression : str
+        What it is compressed by.
+    request : Request
+        How to read it.
+    """
+
+    def __init__(self, path: Path, compression: str, request: Request) -> None:
+        self._path = path
+        if inner_name(path).lower().endswith(INDICES):
+            raise PackingFileError(
+                f"{path}: found a compressed file that names others, expected it uncompressed"
+            )
+        self._file = Uncompressed(path, compression)
+        try:
+            with self._file.named():
+                self._source = _open(self._file.path, path, request)
+            self.times = self._source.times
+        except BaseException:
+            self.close()
+            raise
+
+    def read(self, index: int) -> pv.PolyData:
+        """Read the packing of a step."""
+        with self._file.named():
+            return self._source.read(index)
+
+    def close(self) -> None:
+        """Remove the temporary file."""
+        self._file.remove()

@@ -1,0 +1,156 @@
+"""Packings in the files of VTK: points of any dataset, and collections of them by time."""
+
+from __future__ import annotations
+
+import logging
+import warnings
+from contextlib import contextmanager
+from typing import TYPE_CHECKING
+from xml.etree import ElementTree
+
+import pyvista as pv
+
+from ..datasets import centres_of, wrap
+from ..packing import no_such_array
+from ..radii import radius_name_in
+from .errors import PackingFileError
+from .source import Request, finished
+from .vtk_counts import check_counts
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+    from pathlib import Path
+    from typing import Any
+
+EXTENSIONS = (
+    *(".vtk", ".vtp", ".vtu", ".vti", ".vtr", ".vts", ".vtm", ".vtmb", ".vtpd", ".vtkhdf"),
+    *(".pvtk", ".pvtp", ".pvtu", ".pvti", ".pvtr", ".pvts"),
+)
+# These hold one step each, which need not be looked up.
+SINGLE_STEP = (".vtk", ".vtp", ".vtu", ".vti", ".vtr", ".vts", ".pvtk", ".pvtp", ".pvtu")
+# They name further files.
+INDICES = (".vtm", ".vtmb", ".vtpd", ".pvtk", ".pvtp", ".pvtu", ".pvti", ".pvtr", ".pvts", ".pvd")
+
+
+class VtkFile:
+    """A file that PyVista reads into a dataset.
+
+    Parameters
+    ----------
+    path : pathlib.Path
+        File to read.
+    request : Request
+        How to read it.
+    """
+
+    def __init__(self, path: Path, request: Request) -> None:
+        self._path = path
+        self._request = request
+        check_counts(path)
+        with errors_of_vtk(f"{path}: found no dataset that VTK can read"):
+            self._reader: Any = pv.get_reader(path)
+            algorithm = self._reader.reader
+            algorithm.UpdateInformation()
+            key = algorithm.GetExecutive().TIME_STEPS()
+            self.times = list(algorithm.GetOutputInformation(0).Get(key) or ())
+
+    def read(self, index: int) -> pv.PolyData:
+        """Read the packing of a step."""
+        algorithm = self._reader.reader
+        with errors_of_vtk(f"{self._path}: found no dataset that VTK can read"):
+            if self.times:
+                algorithm.UpdateTimeStep(self.times[index])
+            else:
+                algorithm.Update()
+            data = pv.wrap(algorithm.GetOutputDataObject(0))
+        return self._packing_of(data)
+
+    def _packing_of(self, data: Any) -> pv.PolyData:
+        """The packing in a dataset from the file."""
+        radius = self._request.radius
+        try:
+            dataset = wrap(data)
+            packing = centres_of(dataset, radius if isinstance(radius, str) else None)
+            names = packing.point_data.keys()
+            if radius is None and packing.n_points and radius_name_in(names) is None:
+                message = no_such_array("radius", "radius", packing).args[0]
+                if isinstance(dataset, pv.PolyData) and dataset.GetNumberOfPolys():
+                    message += "; its polygons may be a surface, which `spherepacking pack` fills"
+                raise ValueError(message)
+        except (TypeError, ValueError) as error:
+            raise PackingFileError(f"{self._path}: {error}") from None
+        return finished(packing, self._path, self._request)
+
+
+@contextmanager
+def errors_of_vtk(what: str) -> Iterator[None]:
+    """Raise what VTK reports in the block as one PackingFileError, instead of printing it.
+
+    Parameters
+    ----------
+    what : str
+        What is wrong then, before a colon and the first message of VTK.
+
+    Raises
+    ------
+    PackingFileError
+        If VTK reports an error, or whatever else is raised in the block.
+    """
+    failure: Exception | None = None
+    logging.disable(logging.CRITICAL)
+    try:
+        with (
+            pv.vtk_verbosity("off"),
+            pv.VtkErrorCatcher() as caught,
+            warnings.catch_warnings(),
+        ):
+            warnings.simplefilter("ignore")
+            try:
+                yield
+            except Exception as error:  # readers raise all kinds
+                failure = error
+    finally:
+        logging.disable(logging.NOTSET)
+    said = [event.alert for event in caught.events if event.kind.upper() == "ERROR"]
+    if failure is not None or said:
+        # What comes first is the cause.
+        text = " ".join((said[0] if said else str(failure)).split())
+        raise PackingFileError(f"{what}: {text}") from None
+
+
+# --- collections ----------------------------------------------------------------------------------
+
+
+def parts_by_time(path: Path) -> list[tuple[float, list[Path]]]:
+    """Files that a collection of ParaView (.pvd) names, by time.
+
+    Parameters
+    ----------
+    path : pathlib.Path
+        The collection.
+
+    Returns
+    -------
+    list[tuple[float, list[pathlib.Path]]]
+        Times in order, each with the files whose points belong together.
+
+    Raises
+    ------
+    PackingFileError
+        If it is no such collection, or names no file.
+    """
+    found: dict[float, list[tuple[int, Path]]] = {}
+    try:
+        for element in ElementTree.parse(path).getroot().iterfind("Collection/DataSet"):
+            time, part = float(element.get("timestep", "0")), int(element.get("part", "0"))
+            found.setdefault(time, []).append((part, path.parent / element.attrib["file"]))
+    except (ElementTree.ParseError, KeyError, ValueError) as error:
+        raise PackingFileError(
+            f"{path}: found no collection of files, expected one: {error}"
+        ) from None
+    if not found:
+        raise PackingFileError(f"{path}: found no file in it, expected a collection of files")
+    return [
+        (time, [file for _, file in sorted(parts, key=lambda item: item[0])])
+        for time, parts in sorted(found.items())
+    ]

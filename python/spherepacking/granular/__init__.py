@@ -1,0 +1,1 @@
+"""The simulation cell, periodic images, and contacts of spheres."""

@@ -1,0 +1,201 @@
+"""Radii of spheres: found by the name of an array, or given by the user."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from numbers import Integral
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .checks import per_sphere, storable
+from .packing import no_such_array
+
+if TYPE_CHECKING:
+    import pyvista as pv
+    from numpy.typing import ArrayLike
+
+    # A name, one number, one number per sphere, or one per type.
+    RadiusLike = str | float | ArrayLike | Mapping[int, float] | Mapping[str, float]
+
+# What programs call arrays of radii or diameters, in lower case; a name of an earlier row wins.
+_NAMES = (
+    ("radius", "radii"),
+    ("diameter", "diameters"),
+    ("r", "rad", "d", "diam"),
+)
+_DIAMETERS = ("diameter", "diameters", "d", "diam")
+# Arrays of text that say of what type a sphere is; the first that fits is taken, then any other.
+_TEXT_TYPES = ("type_name", "element", "type", "species", "name")
+
+
+def radius_name_in(names: list[str]) -> str | None:
+    """Find the array that holds radii or diameters by its name.
+
+    Parameters
+    ----------
+    names : list[str]
+        Names of the arrays there are.
+
+    Returns
+    -------
+    str or None
+        ``radius`` if that is one of them, else the one that is called radii, diameter, r, d or the
+        like, the whole word before the short one; None without any.
+
+    Raises
+    ------
+    ValueError
+        If there are several of equal rank.
+
+    Examples
+    --------
+    >>> from spherepacking.radii import radius_name_in
+    >>> radius_name_in(["d", "Diameter", "id"])
+    'Diameter'
+    """
+    if "radius" in names:
+        return "radius"
+    lower = [name.lower() for name in names]
+    # Beside g and b, r is red.
+    colors = {"r", "g", "b"} <= set(lower)
+    for row in _NAMES:
+        found = [
+            name
+            for name, small in zip(names, lower, strict=True)
+            if small in row and not (small == "r" and colors)
+        ]
+        if len(found) > 1:
+            raise ValueError(
+                f"radius: found the arrays {' and '.join(found)}, any of which may hold the radii, "
+                f"expected one of them, or radius='{found[0]}'"
+            )
+        if found:
+            return found[0]
+    return None
+
+
+def radii_from(name: str, values: np.ndarray, *, found: bool) -> np.ndarray:
+    """Radii from the values of an array of that name.
+
+    Parameters
+    ----------
+    name : str
+        Name of the array. Values of one that is called diameter are halved.
+    values : numpy.ndarray
+        One value per sphere, or equal components.
+    found : bool
+        Whether the array was found by its name, rather than named by the user: then d and diam are
+        diameters as well.
+
+    Returns
+    -------
+    numpy.ndarray
+        Radii (n,), a view of `values` where these are the radii.
+
+    Raises
+    ------
+    TypeError
+        If the values are not real numbers.
+    ValueError
+        If they have several components that differ.
+    """
+    values = np.asarray(values)
+    if values.dtype.kind not in "iuf":
+        raise TypeError(f"radius: found {values.dtype} values in {name!r}, expected real numbers")
+    if values.ndim > 1:
+        values = values.reshape(len(values), -1)
+        if not (values == values[:, :1]).all():
+            raise ValueError(
+                f"radius: found {values.shape[1]} components that differ in {name!r}, expected one "
+                "number per sphere, or equal ones"
+            )
+        values = values[:, 0]
+    halved = name.lower() in (_DIAMETERS if found else _NAMES[1])
+    return 0.5 * values if halved else values
+
+
+def given_radii(packing: pv.PolyData, radius: RadiusLike) -> np.ndarray:
+    """Radii as the argument `radius` gives them.
+
+    Parameters
+    ----------
+    packing : pyvista.PolyData
+        Centres (n, 3).
+    radius : str, float, array_like or mapping
+        Name of a point array; one radius for all spheres; n radii; or one per type, by numbers of
+        the point array ``type`` or by texts of ``type_name``, ``element`` or another.
+
+    Returns
+    -------
+    numpy.ndarray
+        Radii (n,).
+
+    Raises
+    ------
+    KeyError
+        If there is no such array, or a type without a radius.
+    TypeError
+        If they are not real numbers.
+    ValueError
+        If there is not one per sphere.
+    """
+    if isinstance(radius, str):
+        if packing.n_points and radius not in packing.point_data:
+            raise no_such_array("radius", radius, packing)
+        if not packing.n_points:
+            return np.empty(0)
+        return radii_from(radius, packing.point_data[radius], found=False)
+    if isinstance(radius, Mapping):
+        return _by_type(packing, radius)
+    values = np.asarray(radius)
+    if values.dtype.kind not in "iuf":
+        raise TypeError(
+            f"radius: found {values.dtype} values, expected real numbers or the name of a point "
+            "array"
+        )
+    values = storable("radius", values)
+    if values.ndim == 0:
+        values = np.full(packing.n_points, float(values))
+    return per_sphere("radius", values, packing.n_points)
+
+
+def _by_type(packing: pv.PolyData, radius: Mapping[int, float] | Mapping[str, float]) -> np.ndarray:
+    """Radii (n,) from one per type."""
+    if not packing.n_points:
+        return np.empty(0)
+    numbers = [key for key in radius if isinstance(key, Integral) and not isinstance(key, bool)]
+    texts = [key for key in radius if isinstance(key, str)]
+    if not radius or (len(numbers) < len(radius) and len(texts) < len(radius)):
+        raise TypeError(
+            f"radius: found the keys {', '.join(map(repr, radius)) or '(none)'}, expected numbers "
+            "or texts that are types"
+        )
+    if numbers:
+        if "type" not in packing.point_data:
+            raise no_such_array("radius", "type", packing)
+        candidates = ["type"]
+    else:
+        kinds = {name: packing.point_data[name].dtype.kind for name in packing.point_data}
+        there = [name for name, kind in kinds.items() if kind in "US"]
+        candidates = sorted(
+            there, key=lambda n: _TEXT_TYPES.index(n) if n in _TEXT_TYPES else len(_TEXT_TYPES)
+        )
+        if not candidates:
+            raise KeyError(
+                f"radius: found texts as types, {', '.join(map(str, radius))}, and no point array "
+                f"of text, its point arrays are: {', '.join(packing.point_data) or 'none'}"
+            )
+    first: list[str] = []
+    for name in candidates:
+        types, which = np.unique(np.asarray(packing.point_data[name]), return_inverse=True)
+        text = types.dtype.kind in "US"
+        table = {str(key) if text else key: float(value) for key, value in radius.items()}
+        missing = [str(kind) for kind in types.tolist() if kind not in table]
+        if not missing:
+            return np.array([table[kind] for kind in types.tolist()])[which.reshape(-1)]
+        first = first or missing
+    raise KeyError(
+        f"radius: found no radius for {', '.join(first[:10])} of the array {candidates[0]!r}, "
+        f"expected one for each type beside those of {', '.join(map(str, radius))}"
+    )

@@ -1,0 +1,1 @@
+"""One module per program: ``write(installed, folder)`` returns its version and files."""

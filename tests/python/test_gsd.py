@@ -1,0 +1,178 @@
+"""GSD files of HOOMD-blue; they are written here by the library gsd, chunk by chunk."""
+
+import builtins
+
+import numpy as np
+import pytest
+import pyvista as pv
+import spherepacking
+
+pytest.importorskip("gsd")
+import gsd.fl
+
+POINTS = np.array([[1, 2, 3], [-4, 1.5, 2.5], [0.5, 0.25, 0.125]], np.float32)
+
+
+def write(path, *frames, schema="hoomd"):
+    with gsd.fl.open(
+        str(path), "w", application="a test", schema=schema, schema_version=[1, 4]
+    ) as f:
+        for frame in frames:
+            for name, values in frame.items():
+                f.write_chunk(name, np.asarray(values))
+            f.end_frame()
+    return path
+
+
+def frame(step=0, **particles):
+    made = {
+        "configuration/step": np.array([step], np.uint64),
+        "configuration/box": np.array([10, 8, 6, 0.5, 0.25, 0.125], np.float32),
+        "particles/N": np.array([3], np.uint32),
+        "particles/position": POINTS,
+    }
+    return made | {f"particles/{name}": values for name, values in particles.items()}
+
+
+def texts(*names):
+    width = max(map(len, names)) + 1
+    return np.array([list(n.encode().ljust(width, b"\0")) for n in names], np.uint8)
+
+
+DIAMETERS = np.array([1.0, 0.5, 0.25], np.float32)
+
+
+def test_spheres_types_box_and_time(tmp_path):
+    path = write(
+        tmp_path / "a.gsd",
+        frame(
+            step=100,
+            diameter=DIAMETERS,
+            types=texts("A", "Big"),
+            typeid=np.array([0, 1, 1], np.uint32),
+            velocity=np.arange(9, dtype=np.float32).reshape(3, 3),
+            image=np.array([[0, 0, 1], [0, -1, 0], [0, 0, 0]], np.int32),
+        ),
+    )
+    packing = spherepacking.read(path)
+    assert packing.points.tolist() == POINTS.tolist()
+    assert packing.points.dtype == np.float64
+    assert packing["radius"].tolist() == [0.5, 0.25, 0.125]
+    assert packing.point_data.active_scalars_name == "radius"
+    assert packing["type"].tolist() == [0, 1, 1]
+    assert packing["type_name"].tolist() == ["A", "Big", "Big"]
+    assert packing["velocity"][2].tolist() == [6.0, 7.0, 8.0]
+    assert packing["image"].tolist() == [[0, 0, 1], [0, -1, 0], [0, 0, 0]]
+    # What is not in the file is not made up.
+    assert "mass" not in packing.point_data
+    assert packing.field_data["TimeValue"].tolist() == [100.0]
+    # lx, ly, lz = 10, 8, 6; b and c are tilted by xy ly, xz lz and yz lz.
+    vectors = [[10, 0, 0], [4, 8, 0], [1.5, 0.75, 6]]
+    assert packing.field_data["cell_vectors"].tolist() == vectors
+    assert packing.field_data["cell_origin"].tolist() == [-7.75, -4.375, -3]
+    assert packing.field_data["cell_periodic"].tolist() == [1, 1, 1]
+
+
+def test_pyvista_reads_them(tmp_path):
+    path = write(tmp_path / "a.gsd", frame(diameter=DIAMETERS))
+    assert pv.read(path)["radius"].tolist() == [0.5, 0.25, 0.125]
+
+
+def test_two_dimensions_are_not_periodic_along_z(tmp_path):
+    made = frame(diameter=DIAMETERS) | {"configuration/dimensions": np.array([2], np.uint8)}
+    packing = spherepacking.read(write(tmp_path / "a.gsd", made))
+    assert packing.field_data["cell_periodic"].tolist() == [1, 1, 0]
+
+
+def test_frames_are_steps_and_lack_what_the_first_one_says(tmp_path):
+    moved = frame(20) | {"particles/position": POINTS + 1}
+    less = {
+        "configuration/step": np.array([30], np.uint64),
+        "particles/N": np.array([1], np.uint32),
+        "particles/position": POINTS[:1],
+        "particles/diameter": np.array([3], np.float32),
+    }
+    steps = spherepacking.steps(
+        write(tmp_path / "a.gsd", frame(10, diameter=DIAMETERS), moved, less)
+    )
+    assert (len(steps), steps.times) == (3, [10.0, 20.0, 30.0])
+    assert steps[1].points[0].tolist() == [2.0, 3.0, 4.0]
+    assert steps[1]["radius"].tolist() == [0.5, 0.25, 0.125]
+    assert steps[2]["radius"].tolist() == [1.5]
+    # What was handed out is nobody else's.
+    steps[0]["radius"][:] = 9.0
+    steps[0].points[:] = 9.0
+    assert steps[0]["radius"].tolist() == steps[1]["radius"].tolist() == [0.5, 0.25, 0.125]
+
+
+def test_absent_diameters_are_not_one(tmp_path):
+    path = write(tmp_path / "a.gsd", frame(types=texts("A", "B"), typeid=np.array([0, 1, 0], "u4")))
+    with pytest.raises(
+        spherepacking.PackingFileError, match=r"a\.gsd: found no diameters .*radius="
+    ):
+        spherepacking.read(path)
+    assert spherepacking.read(path, radius=2)["radius"].tolist() == [2.0, 2.0, 2.0]
+    by_type = spherepacking.read(path, radius={0: 1.0, 1: 0.5})
+    assert by_type["radius"].tolist() == [1.0, 0.5, 1.0]
+    by_name = spherepacking.read(path, radius={"A": 1.0, "B": 0.5})
+    assert by_name["radius"].tolist() == [1.0, 0.5, 1.0]
+
+
+def test_diameters_of_another_number_of_particles_are_absent(tmp_path):
+    less = frame(5) | {
+        "particles/N": np.array([2], np.uint32),
+        "particles/position": POINTS[:2],
+    }
+    steps = spherepacking.steps(write(tmp_path / "a.gsd", frame(diameter=DIAMETERS), less))
+    with pytest.raises(spherepacking.PackingFileError, match="no diameters in frame 1"):
+        steps[1]
+
+
+def test_hard_spheres_have_shapes(tmp_path):
+    shapes = texts('{"type": "Sphere", "diameter": 3.0}', '{"type": "Sphere", "diameter": 1.5}')
+    types = {"types": texts("A", "B"), "typeid": np.array([0, 1, 0], np.uint32)}
+    path = write(tmp_path / "a.gsd", frame(type_shapes=shapes, **types))
+    assert spherepacking.read(path)["radius"].tolist() == [1.5, 0.75, 1.5]
+    cubes = texts('{"type": "Sphere", "diameter": 3.0}', '{"type": "ConvexPolyhedron"}')
+    path = write(tmp_path / "b.gsd", frame(type_shapes=cubes, **types))
+    with pytest.raises(spherepacking.PackingFileError, match="no diameters"):
+        spherepacking.read(path)
+
+
+def test_no_particles(tmp_path):
+    empty = {"particles/N": np.array([0], np.uint32)}
+    assert spherepacking.read(write(tmp_path / "a.gsd", empty)).n_points == 0
+
+
+@pytest.mark.parametrize("fault", ["schema", "text", "cut", "no frame", "type", "negative"])
+def test_what_is_wrong_is_one_error(tmp_path, fault):
+    path = tmp_path / "a.gsd"
+    if fault == "schema":
+        write(path, frame(), schema="other")
+    elif fault == "text":
+        path.write_text("0 0 0 1\n")
+    elif fault == "cut":
+        write(path, frame(diameter=DIAMETERS))
+        path.write_bytes(path.read_bytes()[:300])
+    elif fault == "no frame":
+        write(path)
+    elif fault == "type":
+        write(path, frame(diameter=DIAMETERS, typeid=np.array([0, 7, 0], np.uint32)))
+    else:
+        write(path, frame(diameter=-DIAMETERS))
+    with pytest.raises(spherepacking.PackingFileError, match=r"a\.gsd: .*(found|holds)"):
+        spherepacking.read(path)
+
+
+def test_the_library_is_named_when_it_is_missing(tmp_path, monkeypatch):
+    path = write(tmp_path / "a.gsd", frame(diameter=DIAMETERS))
+    real = builtins.__import__
+
+    def without(name, *args, **kwargs):
+        if name.partition(".")[0] == "gsd":
+            raise ImportError(name)
+        return real(name, *args, **kwargs)
+
+    monkeypatch.setattr(builtins, "__import__", without)
+    with pytest.raises(ImportError, match=r"a\.gsd: .*pip install 'spherepacking\[formats\]'"):
+        spherepacking.read(path)

@@ -1,0 +1,328 @@
+"""Steps in one file or in many: ``spherepacking.steps`` and ``read(step=…, time=…)``."""
+
+import json
+
+import numpy as np
+import pytest
+import pyvista as pv
+import spherepacking
+
+HEAD = """ITEM: TIMESTEP
+{step}
+ITEM: NUMBER OF ATOMS
+1
+ITEM: BOX BOUNDS pp pp pp
+0 1
+0 1
+0 1
+ITEM: ATOMS id x y z {radius}
+"""
+DUMP = HEAD.replace("{radius}", "radius") + "1 {x} 0 0 0.5\n"
+
+
+@pytest.fixture
+def dump(tmp_path):
+    path = tmp_path / "run.dump"
+    path.write_text("".join(DUMP.format(step=10 * i, x=i) for i in range(5)))
+    return path
+
+
+def vtu(path, x, **arrays):
+    mesh = pv.PolyData(np.array([[x, 0.0, 0.0]])).cast_to_unstructured_grid()
+    mesh["radius"] = [0.5]
+    for name, values in arrays.items():
+        mesh[name] = values
+    mesh.save(path)
+    return path
+
+
+def xs(steps):
+    return [packing.points[0, 0] for packing in steps]
+
+
+# --- one file -------------------------------------------------------------------------------------
+
+
+def test_a_sequence(dump):
+    steps = spherepacking.steps(dump)
+    assert isinstance(steps, spherepacking.PackingSteps)
+    assert len(steps) == 5
+    assert steps.times == [0.0, 10.0, 20.0, 30.0, 40.0]
+    assert xs(steps) == xs(list(steps)) == [0, 1, 2, 3, 4]
+    assert steps[-1].points[0, 0] == 4.0
+    some = steps[1::2]
+    assert (len(some), some.times, xs(some)) == (2, [10.0, 30.0], [1, 3])
+    assert xs(steps[::-1][:2]) == [4, 3]
+    assert repr(some) == f"<2 steps of {dump}>"
+    with pytest.raises(IndexError):
+        steps[5]
+
+
+def test_what_is_handed_out_belongs_to_nobody_else(dump):
+    steps = spherepacking.steps(dump)
+    first, again = steps[0], steps[0]
+    first.points[:] = 9.0
+    first["radius"][:] = 9.0
+    assert again.points[0, 0] == steps[0].points[0, 0] == 0.0
+    assert again["radius"].tolist() == steps[0]["radius"].tolist() == [0.5]
+
+
+@pytest.mark.parametrize(
+    ("which", "x"),
+    [
+        ({}, 0),
+        ({"step": 0}, 0),
+        ({"step": 3}, 3),
+        ({"step": -1}, 4),
+        ({"step": np.int64(-5)}, 0),
+        ({"time": 20}, 2),
+        ({"time": 40.0}, 4),
+    ],
+)
+def test_one_step(dump, which, x):
+    assert spherepacking.read(dump, **which).points[0, 0] == x
+
+
+@pytest.mark.parametrize(
+    ("which", "message"),
+    [
+        ({"step": 5}, r"step: found 5, expected -5 to 4: .*run\.dump has 5 steps"),
+        ({"step": -6}, "step: found -6"),
+        ({"time": 15}, "time: found 15, expected one of 0, 10, 20, 30, 40"),
+        ({"step": 1, "time": 10}, "expected one of them"),
+    ],
+)
+def test_no_such_step(dump, which, message):
+    with pytest.raises(ValueError, match=message):
+        spherepacking.read(dump, **which)
+
+
+def test_a_file_of_one_packing(tmp_path):
+    path = tmp_path / "a.spheres"
+    path.write_text("1 2 3 4\n")
+    steps = spherepacking.steps(path)
+    assert (len(steps), steps.times) == (1, [])
+    assert steps[0]["radius"].tolist() == spherepacking.read(path, step=-1)["radius"].tolist()
+    with pytest.raises(ValueError, match=r"step: found 1, expected -1 to 0: .* has one step"):
+        spherepacking.read(path, step=1)
+    with pytest.raises(ValueError, match=r"time: found 1, expected step: .* tells no times"):
+        spherepacking.read(path, time=1)
+
+
+def test_many_times_are_not_all_listed(tmp_path):
+    path = tmp_path / "run.dump"
+    path.write_text("".join(DUMP.format(step=i, x=i) for i in range(100)))
+    with pytest.raises(ValueError, match="one of 100 from 0 to 99, such as 42, as "):
+        spherepacking.read(path, time=42.2)
+
+
+# --- numbered files -------------------------------------------------------------------------------
+
+
+def test_numbered_files_of_vtk(tmp_path):
+    for i in (0, 2, 10):
+        vtu(tmp_path / f"run_{i}.vtu", float(i))
+    vtu(tmp_path / "run_last.vtu", 99.0)
+    pattern = tmp_path / "run_%d.vtu"
+    steps = spherepacking.steps(pattern)
+    assert (steps.times, xs(steps)) == ([0.0, 2.0, 10.0], [0, 2, 10])
+    assert steps[1].field_data["TimeValue"].tolist() == [2.0]
+    assert spherepacking.read(str(pattern), time=10).points[0, 0] == 10.0
+    # By numbers, not by letters.
+    found = spherepacking.steps(str(tmp_path / "run_[0-9]*.vtu"))
+    assert (found.times, xs(found)) == (steps.times, xs(steps))
+
+
+def test_a_width_in_the_pattern(tmp_path):
+    for name in ("f_0001.vtu", "f_0002.vtu", "f_00003.vtu", "f_10000.vtu"):
+        vtu(tmp_path / name, float(name[2:-4]))
+    assert xs(spherepacking.steps(tmp_path / "f_%04d.vtu")) == [1, 2, 10000]
+
+
+def test_numbered_dumps_have_times_of_their_own(tmp_path):
+    for number, step in ((1, 500), (2, 1000)):
+        (tmp_path / f"dump.{number}.lammpstrj").write_text(DUMP.format(step=step, x=number))
+    steps = spherepacking.steps(tmp_path / "dump.*.lammpstrj")
+    assert (steps.times, xs(steps)) == ([500.0, 1000.0], [1, 2])
+
+
+def test_runs_one_after_the_other(tmp_path):
+    """A restart goes on in a file of its own."""
+    first, second = tmp_path / "first.dump", tmp_path / "second.dump"
+    first.write_text("".join(DUMP.format(step=i, x=i) for i in (0, 1, 2)))
+    second.write_text("".join(DUMP.format(step=i, x=i) for i in (2, 3)))
+    steps = spherepacking.steps([first, str(second)])
+    assert (steps.times, xs(steps)) == ([0, 1, 2, 2, 3], [0, 1, 2, 2, 3])
+    with pytest.raises(ValueError, match=r"time: found 2, .* steps 2, 3"):
+        spherepacking.read([first, second], time=2)
+
+
+def test_texts_have_numbers_for_times(tmp_path):
+    for i in (5, 7):
+        (tmp_path / f"a{i}.xyzr").write_text(f"{i} 0 0 1\n")
+    steps = spherepacking.steps(tmp_path / "a?.xyzr")
+    assert (steps.times, xs(steps)) == ([5.0, 7.0], [5, 7])
+
+
+def test_files_without_numbers_have_no_times(tmp_path):
+    files = [vtu(tmp_path / f"{name}.vtu", x) for name, x in (("b", 1.0), ("a", 2.0))]
+    steps = spherepacking.steps(files)
+    assert (len(steps), steps.times, xs(steps)) == (2, [], [1, 2])
+
+
+def test_names_that_look_like_patterns_are_files_first(tmp_path):
+    path = tmp_path / "a[1].xyzr"
+    path.write_text("1 2 3 4\n")
+    assert spherepacking.read(path)["radius"].tolist() == [4.0]
+
+
+@pytest.mark.parametrize("pattern", ["none_*.vtu", "none_%03d.vtu"])
+def test_nothing_fits(tmp_path, pattern):
+    with pytest.raises(FileNotFoundError, match="there is no file whose name fits"):
+        spherepacking.steps(tmp_path / pattern)
+
+
+def test_an_empty_list():
+    with pytest.raises(ValueError, match="path: found no file in the list"):
+        spherepacking.steps([])
+
+
+def test_an_error_names_the_file_of_the_step(tmp_path):
+    vtu(tmp_path / "a0.vtu", 0.0)
+    (tmp_path / "a1.vtu").write_text("<VTKFile")
+    steps = spherepacking.steps(tmp_path / "a*.vtu")
+    assert xs(steps[:1]) == [0]
+    with pytest.raises(spherepacking.PackingFileError, match=r"a1\.vtu: found no dataset"):
+        steps[1]
+
+
+# --- collections of ParaView ----------------------------------------------------------------------
+
+PVD = '<VTKFile type="Collection" version="0.1"><Collection>{}</Collection></VTKFile>'
+SET = '<DataSet timestep="{}" group="" part="{}" file="{}"/>'
+
+
+def test_a_collection(tmp_path):
+    (tmp_path / "parts").mkdir()
+    sets = []
+    for i, time in enumerate((0.5, 0.25)):
+        for part in (0, 1):
+            vtu(tmp_path / "parts" / f"{i}_{part}.vtu", 10.0 * i + part)
+            sets.append(SET.format(time, part, f"parts/{i}_{part}.vtu"))
+    (tmp_path / "run.pvd").write_text(PVD.format("".join(sets)))
+    steps = spherepacking.steps(tmp_path / "run.pvd")
+    assert steps.times == [0.25, 0.5]
+    assert steps[0].points[:, 0].tolist() == [10.0, 11.0]
+    assert steps[1].points[:, 0].tolist() == [0.0, 1.0]
+    packing = spherepacking.read(tmp_path / "run.pvd", time=0.5)
+    assert packing["radius"].tolist() == [0.5, 0.5]
+    assert packing.field_data["TimeValue"].tolist() == [0.5]
+    assert packing.point_data.active_scalars_name == "radius"
+
+
+def test_a_series(tmp_path):
+    for i in range(3):
+        vtu(tmp_path / f"a{i}.vtu", float(i))
+    files = [{"name": f"a{i}.vtu", "time": 0.1 * i} for i in range(3)]
+    path = tmp_path / "a.vtu.series"
+    path.write_text(json.dumps({"file-series-version": "1.0", "files": files}))
+    steps = spherepacking.steps(path)
+    assert (steps.times, xs(steps)) == ([0.0, 0.1, 0.2], [0, 1, 2])
+    assert spherepacking.read(path, time=0.2).points[0, 0] == 2.0
+
+
+@pytest.mark.parametrize(
+    ("name", "text"),
+    [
+        ("a.pvd", "nonsense"),
+        ("a.pvd", PVD.format("")),
+        ("a.pvd", PVD.format('<DataSet timestep="x" file="a"/>')),
+        ("a.pvd", PVD.format('<DataSet timestep="1"/>')),
+        ("a.series", "nonsense"),
+        ("a.series", "[]"),
+        ("a.series", '{"files": []}'),
+        ("a.series", '{"files": [{"name": "a.vtu"}]}'),
+    ],
+)
+def test_a_damaged_collection(tmp_path, name, text):
+    (tmp_path / name).write_text(text)
+    with pytest.raises(spherepacking.PackingFileError, match=r"/a\.(pvd|series): found no"):
+        spherepacking.read(tmp_path / name)
+
+
+def test_a_missing_file_of_a_collection(tmp_path):
+    (tmp_path / "a.pvd").write_text(PVD.format(SET.format(0, 0, "none.vtu")))
+    with pytest.raises(FileNotFoundError, match=r"none\.vtu"):
+        spherepacking.read(tmp_path / "a.pvd")
+
+
+def test_a_run_in_a_collection_is_refused(tmp_path, dump):
+    (tmp_path / "a.pvd").write_text(PVD.format(SET.format(0, 0, dump.name)))
+    with pytest.raises(spherepacking.PackingFileError, match=r"run\.dump: found 5 steps in a file"):
+        spherepacking.read(tmp_path / "a.pvd")
+
+
+# --- radii and columns ----------------------------------------------------------------------------
+
+
+def test_radii_of_each_step(tmp_path):
+    for i in range(2):
+        vtu(tmp_path / f"a{i}.vtu", float(i), size=[2.0 + i])
+    steps = spherepacking.steps(tmp_path / "a*.vtu", radius="size")
+    assert [packing["radius"][0] for packing in steps] == [2.0, 3.0]
+
+
+def test_radii_instead_of_those_of_the_file(tmp_path):
+    path = tmp_path / "a.csv"
+    path.write_text("x,y,z,r,size,type\n1,2,3,4,5,1\n2,3,4,5,6,2\n")
+    read = spherepacking.read
+    assert read(path)["radius"].tolist() == [4.0, 5.0]
+    assert read(path, radius=0.5)["radius"].tolist() == [0.5, 0.5]
+    assert read(path, radius="size")["radius"].tolist() == [5.0, 6.0]
+    assert read(path, radius=[1, 2])["radius"].tolist() == [1.0, 2.0]
+    assert read(path, radius={1: 0.25, 2: 0.75})["radius"].tolist() == [0.25, 0.75]
+    packing = read(path, radius=0.5, precision="single")
+    assert packing.points.dtype == np.float32
+    assert packing.point_data.active_scalars_name == "radius"
+    with pytest.raises(spherepacking.PackingFileError, match=r"a\.csv: .*no radius for 2"):
+        read(path, radius={1: 0.25})
+    with pytest.raises(spherepacking.PackingFileError, match=r"a\.csv: radius: found 3 values"):
+        read(path, radius=[1, 2, 3])
+
+
+# --- what is no packing ---------------------------------------------------------------------------
+
+OTHERS = {
+    "a.obj": (b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "found a surface, .*spherepacking pack"),
+    "a.stl": (b"solid a\nendsolid a\n", "found a surface, .*spherepacking pack"),
+    "a.ply": (b"ply\nformat ascii 1.0\nend_header\n", "found a surface, .*spherepacking pack"),
+    "a.off": (b"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "found a surface"),
+    "a.gro": (b"water\n1\n    1SOL OW 1 0.1 0.2 0.3\n 1 1 1\n", "no radii, .*radius="),
+    "a.h5": (b"\x89HDF\r\n\x1a\n" + bytes(100), "found an HDF5 file"),
+    "a.zip": (b"PK\x03\x04" + bytes(100), "found a zip archive"),
+    "a.spheres": (b"\x89PNG\r\n\x1a\n" + bytes(100), "found a picture"),
+    "a.npy": (b"\x93NUMPY\x01\x00", "found an array of NumPy, .*savetxt"),
+    "a.dat": (b"# vtk DataFile Version 3.0\nx\nASCII\n", r"file of VTK, expected .*\.vtk"),
+    "a.xml": (b'<?xml version="1.0"?>\n<VTKFile type="PolyData">\n', r"file of VTK \(PolyData\)"),
+    "traj.bin": (b"\xdfe\xdfe\xdfe\xdfe" + bytes(300), "found a GSD file"),
+}
+
+
+@pytest.mark.parametrize("name", OTHERS)
+def test_a_sentence_says_what_a_file_is(tmp_path, name):
+    data, message = OTHERS[name]
+    (tmp_path / name).write_bytes(data)
+    with pytest.raises(spherepacking.PackingFileError, match=message) as caught:
+        spherepacking.read(tmp_path / name)
+    assert str(caught.value).startswith(f"{tmp_path / name}: ")
+
+
+def test_spheres_by_the_name_of_a_surface_are_read(tmp_path):
+    (tmp_path / "a.obj").write_text("1 2 3 4\n")
+    assert spherepacking.read(tmp_path / "a.obj")["radius"].tolist() == [4.0]
+
+
+@pytest.mark.parametrize("argument", [{"precision": "half"}, {"step": "x"}])
+def test_arguments(dump, argument):
+    with pytest.raises((ValueError, TypeError)):
+        spherepacking.read(dump, **argument)

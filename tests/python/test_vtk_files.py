@@ -1,0 +1,186 @@
+"""Packings in files of VTK; the values are those of the texts here."""
+
+import numpy as np
+import pytest
+import pyvista as pv
+import spherepacking
+
+LEGACY = """# vtk DataFile Version 3.0
+made up
+ASCII
+
+DATASET POLYDATA
+POINTS 2 float
+0.5 0.25 0
+2 0 0.75
+
+POINT_DATA 2
+SCALARS {name} double 1
+LOOKUP_TABLE default
+0.04938271605
+0.125
+"""
+XML = """<?xml version="1.0"?>
+<VTKFile type="PolyData" version="0.1" byte_order="LittleEndian">
+<PolyData>
+<Piece NumberOfPoints="2" NumberOfVerts="0" NumberOfLines="0" NumberOfStrips="0" NumberOfPolys="0">
+<Points><DataArray type="Float64" NumberOfComponents="3" format="ascii">0.5 0.25 0  2 0 0.75
+</DataArray></Points>
+<PointData><DataArray type="Float64" Name="{name}" format="ascii">0.5 0.125</DataArray></PointData>
+</Piece>
+</PolyData>
+</VTKFile>
+"""
+POINTS = np.array([[0.5, 0.25, 0.0], [2.0, 0.0, 0.75]])
+RADII = [0.5, 0.125]
+
+
+def check(packing, radii=RADII):
+    assert isinstance(packing, pv.PolyData)
+    assert packing.points.tolist() == POINTS.tolist()
+    assert packing.points.dtype == np.float64
+    assert packing["radius"].tolist() == radii
+    assert packing.point_data.active_scalars_name == "radius"
+    assert packing.n_verts == packing.n_cells == 2
+
+
+def dataset(kind):
+    points = pv.PolyData(POINTS)
+    if kind == "UnstructuredGrid":
+        points = points.cast_to_unstructured_grid()
+    points["radius"] = RADII
+    points["id"] = [7, 9]
+    points["velocity"] = np.arange(6.0).reshape(2, 3)
+    return points
+
+
+def test_points_without_vertices_and_floats_beside_doubles(tmp_path):
+    (tmp_path / "a.vtk").write_text(LEGACY.format(name="radius"))
+    check(spherepacking.read(tmp_path / "a.vtk"), [0.04938271605, 0.125])
+    single = spherepacking.read(tmp_path / "a.vtk", precision="single")
+    assert single.points.dtype == np.float32
+
+
+@pytest.mark.parametrize("name", ["radius", "Radius", "radii"])
+def test_xml_in_text(tmp_path, name):
+    (tmp_path / "a.vtp").write_text(XML.format(name=name))
+    check(spherepacking.read(tmp_path / "a.vtp"))
+
+
+def test_diameters_are_halved(tmp_path):
+    (tmp_path / "a.vtp").write_text(XML.format(name="Diameter"))
+    check(spherepacking.read(tmp_path / "a.vtp"), [0.25, 0.0625])
+
+
+@pytest.mark.parametrize(
+    ("kind", "extension"),
+    [
+        ("PolyData", ".vtp"),
+        ("PolyData", ".vtk"),
+        ("PolyData", ".vtkhdf"),
+        ("UnstructuredGrid", ".vtu"),
+        ("UnstructuredGrid", ".vtk"),
+        ("UnstructuredGrid", ".vtkhdf"),
+    ],
+)
+def test_files_that_pyvista_wrote(tmp_path, kind, extension):
+    path = tmp_path / f"a{extension}"
+    dataset(kind).save(path)
+    packing = spherepacking.read(path)
+    check(packing)
+    assert packing["id"].tolist() == [7, 9]
+    assert packing["velocity"].tolist() == [[0, 1, 2], [3, 4, 5]]
+
+
+def test_blocks(tmp_path):
+    second = dataset("UnstructuredGrid")
+    second.points = second.points + 10.0
+    pv.MultiBlock([dataset("PolyData"), second]).save(tmp_path / "a.vtm")
+    packing = spherepacking.read(tmp_path / "a.vtm")
+    assert packing.points.tolist() == [*POINTS.tolist(), *(POINTS + 10.0).tolist()]
+    assert packing["radius"].tolist() == RADII * 2
+    assert packing["id"].tolist() == [7, 9, 7, 9]
+
+
+def test_an_image(tmp_path):
+    image = pv.ImageData(dimensions=(2, 1, 1), spacing=(3.0, 1.0, 1.0))
+    image["radius"] = RADII
+    image.save(tmp_path / "a.vti")
+    packing = spherepacking.read(tmp_path / "a.vti")
+    assert packing.points.tolist() == [[0, 0, 0], [3, 0, 0]]
+    assert packing["radius"].tolist() == RADII
+
+
+def test_pieces(tmp_path):
+    dataset("UnstructuredGrid").save(tmp_path / "piece.vtu")
+    (tmp_path / "a.pvtu").write_text(
+        '<VTKFile type="PUnstructuredGrid" version="0.1"><PUnstructuredGrid GhostLevel="0">'
+        '<PPoints><PDataArray type="Float64" NumberOfComponents="3"/></PPoints>'
+        '<PPointData><PDataArray type="Float64" Name="radius"/></PPointData>'
+        '<Piece Source="piece.vtu"/></PUnstructuredGrid></VTKFile>'
+    )
+    check(spherepacking.read(tmp_path / "a.pvtu"))
+    (tmp_path / "piece.vtu").unlink()
+    with pytest.raises(spherepacking.PackingFileError, match=r"a\.pvtu: found no dataset that VTK"):
+        spherepacking.read(tmp_path / "a.pvtu")
+
+
+def test_no_spheres_are_a_packing(tmp_path):
+    pv.PolyData().save(tmp_path / "a.vtp")
+    assert spherepacking.read(tmp_path / "a.vtp").n_points == 0
+
+
+# --- radii that are not there, or given -----------------------------------------------------------
+
+
+def test_no_radii_names_the_arrays(tmp_path):
+    (tmp_path / "a.vtp").write_text(XML.format(name="mass"))
+    with pytest.raises(
+        spherepacking.PackingFileError, match=r"a\.vtp: .*no point array 'radius'.*mass; radius='NA"
+    ):
+        spherepacking.read(tmp_path / "a.vtp")
+    check(spherepacking.read(tmp_path / "a.vtp", radius="mass"))
+    check(spherepacking.read(tmp_path / "a.vtp", radius=[0.5, 0.125]))
+    check(spherepacking.read(tmp_path / "a.vtp", radius=2), [2.0, 2.0])
+    with pytest.raises(spherepacking.PackingFileError, match=r"a\.vtp: .*'size'.*mass"):
+        spherepacking.read(tmp_path / "a.vtp", radius="size")
+
+
+def test_a_surface_is_not_a_packing(tmp_path):
+    pv.Sphere().save(tmp_path / "a.vtp")
+    with pytest.raises(spherepacking.PackingFileError, match=r"Normals; .*spherepacking pack"):
+        spherepacking.read(tmp_path / "a.vtp")
+
+
+# --- damaged files --------------------------------------------------------------------------------
+
+DAMAGED = {
+    "cut.vtp": XML.format(name="radius")[:300],
+    "short.vtp": XML.format(name="radius").replace("0.5 0.125", "0.5"),
+    "points.vtp": XML.format(name="radius").replace("  2 0 0.75", ""),
+    "large.vtp": XML.format(name="radius").replace('Points="2"', 'Points="99999999999"'),
+    "cut.vtk": LEGACY.format(name="radius")[:100],
+    "large.vtk": LEGACY.format(name="radius").replace("POINTS 2", "POINTS 99999999999"),
+    "large-data.vtk": LEGACY.format(name="radius").replace("DATA 2", "DATA 99999999999"),
+    "nothing.vtk": "",
+    "text.vtu": "0 0 0 1\n",
+    "negative.vtp": XML.format(name="radius").replace("0.125", "-1"),
+    "nan.vtk": LEGACY.format(name="radius").replace("0.125", "nan"),
+    "hdf.vtkhdf": "\x89HDF",
+}
+
+
+@pytest.mark.parametrize("name", DAMAGED)
+def test_one_error_names_the_file(tmp_path, capfd, name):
+    (tmp_path / name).write_text(DAMAGED[name])
+    with pytest.raises(spherepacking.PackingFileError) as caught:
+        spherepacking.read(tmp_path / name)
+    assert str(caught.value).startswith(f"{tmp_path / name}: ")
+    assert "\n" not in str(caught.value)
+    assert capfd.readouterr() == ("", "")
+
+
+def test_names_of_columns_are_for_tables(tmp_path):
+    (tmp_path / "a.vtp").write_text(XML.format(name="radius"))
+    with pytest.raises(spherepacking.PackingFileError, match="names of columns for a file of"):
+        spherepacking.read(tmp_path / "a.vtp", columns="x y z r")

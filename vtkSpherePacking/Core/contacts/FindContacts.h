@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef FindContacts_h
+#define FindContacts_h
+
+#include "base/HugeArray.h"
+#include "base/ParallelFor.h"
+#include "base/SphereArrays.h"
+#include "contacts/PeriodicImages.h"
+
+#include <functional>
+
+namespace spherepacking
+{
+/// Two spheres that touch: sphere I, and sphere J moved by so many vectors of the cell.
+struct Contact
+{
+  std::int32_t I;
+  std::int32_t J; ///< above I, or I itself with a shift whose first number that is not 0 is above 0
+  CellShift Shift;
+};
+
+/// From the surface of sphere i to that of sphere j moved by `shift`: the distance of the centres,
+/// sqrt((dx dx + dy dy) + dz dz) with d = (j - i) + shift, less the sum of the radii, in double
+/// precision. Negative where the spheres overlap.
+inline double GapOf(
+  const SphereArrays& spheres, std::int32_t i, std::int32_t j, const Vector3& shift)
+{
+  const Sphere a = spheres[i];
+  const Sphere b = spheres[j];
+  const Vector3 d = Vector3{ b.X - a.X, b.Y - a.Y, b.Z - a.Z } + shift;
+  return Length(d) - (a.R + b.R);
+}
+
+/// Contacts are looked for by `Parallel` pieces of work, which may say that nobody wants them any
+/// more, and by `For` all else.
+struct ContactWork
+{
+  ParallelFor For;
+  std::function<bool(std::int64_t count, const std::function<void(std::int64_t)>& work)>
+    Interruptible; ///< as For; returns false if not all was done
+  double Most;     ///< contacts, above which a std::invalid_argument is thrown
+};
+
+/**
+ * All contacts of a packing, that is pairs whose GapOf() is at most `gap`, each once, by I, then J,
+ * then the shift. Of a periodic packing every image counts: two spheres may touch several times,
+ * and a sphere its own image. Empty after an interruption.
+ */
+HugeArray<Contact> FindContacts(
+  const SphereArrays& spheres, double gap, const PeriodicImages& images, const ContactWork& work);
+}
+
+#endif
