@@ -2,6 +2,7 @@
 #include "io/FitNames.h"
 
 #include "io/NameMeaning.h"
+#include "io/PackingFileError.h"
 
 #include <algorithm>
 #include <array>
@@ -277,6 +278,8 @@ std::string UnitOfSphere(const Names& names)
 Names WithoutUnits(const Names& names)
 {
   const std::string length = UnitOfSphere(names);
+  const auto lengths =
+    std::count_if(names.begin(), names.end(), [](auto name) { return !LengthUnit(name).empty(); });
   Names rest;
   for (std::size_t i = 0; i < names.size();)
   {
@@ -284,7 +287,8 @@ Names WithoutUnits(const Names& names)
     const std::size_t end = UnitEnd(names, i);
     const std::string unit = LengthUnit(names[end - 1]);
     const bool ofEach = !length.empty() && (unit == length || unit.empty());
-    const bool ofAll = end == names.size() && (end == i + 3 || names[end - 1] != "m");
+    const bool ofAll =
+      end == names.size() && lengths <= 1 && (end == i + 3 || names[end - 1] != "m");
     i = end > i + 1 && (ofEach || ofAll) ? end : i + 1;
   }
   return rest;
@@ -436,6 +440,25 @@ bool NamesSomeOfSphere(const std::vector<std::string_view>& words, std::size_t c
 }
 
 //------------------------------------------------------------------------------
+bool HasTwoUnits(std::string_view line)
+{
+  std::set<std::string> lengths;
+  for (std::size_t at = line.find_first_of("(["); at != line.npos;)
+  {
+    const std::size_t end = BracketEnd(line, at);
+    const std::string_view before = Trim(line.substr(0, at));
+    const std::size_t word = before.find_last_of(" \t,;:)]");
+    if (IsOfSphere(MeaningOfName(before.substr(word == before.npos ? 0 : word + 1))))
+    {
+      lengths.insert(LengthUnit(Trim(line.substr(at + 1, end > at ? end - at - 1 : 0))));
+    }
+    at = end > at ? line.find_first_of("([", end) : line.npos;
+  }
+  lengths.erase("");
+  return lengths.size() > 1;
+}
+
+//------------------------------------------------------------------------------
 bool AreNumbered(std::string_view line)
 {
   return TakeNumbers(SplitWords(line)).has_value();
@@ -475,6 +498,12 @@ NamesFit FitNames(std::string_view line, std::size_t count, Radii radii)
     }
   }
   NamesFit fit = readings.Result();
+  if (fit.What == NamesFit::Fits && HasTwoUnits(line))
+  {
+    return { NamesFit::Unclear, {},
+      "found several units of length in " + Quote(line.data(), line.data() + line.size()) +
+        ", expected one for coordinates and radii" };
+  }
   std::string complaint;
   if (fit.What == NamesFit::NoNames &&
     (ColumnsFromNames(NameWords(line), complaint) ||

@@ -3,11 +3,14 @@
 
 #include "io/FitComments.h"
 #include "io/GivenColumns.h"
+#include "io/NameMeaning.h"
 #include "io/NamelessColumns.h"
 #include "io/PackingFileError.h"
 #include "io/TableHead.h"
 
 #include <algorithm>
+#include <set>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -266,7 +269,8 @@ private:
       this->Layout.Named = Naming::None;
       return false;
     }
-    this->Layout.Named = fit.OneEach ? Naming::All : this->FirstFour(fit.Line, count);
+    this->Layout.Named =
+      fit.OneEach || HasTwoUnits(View(fit.Line)) ? Naming::All : this->FirstFour(fit.Line, count);
     if (this->Layout.Named != Naming::All)
     {
       return false;
@@ -309,10 +313,16 @@ private:
         return Naming::All;
       }
     }
+    std::set<std::string> lengths;
+    for (const std::string_view word : words)
+    {
+      lengths.insert(LengthUnit(word));
+    }
+    lengths.erase("");
     const bool noRadius = sphere.size() == 3 &&
       (sphere.size() == words.size() || ColumnsFromNames(words, complaint)); // r may be red
     const bool atOnce = sphere.size() == 4 && sphere[3] == 3;
-    if (AreNumbered(View(line)) || sphere.size() < 3 || noRadius)
+    if (AreNumbered(View(line)) || sphere.size() < 3 || noRadius || lengths.size() > 1)
     {
       return Naming::All;
     }
