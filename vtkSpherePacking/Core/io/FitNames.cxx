@@ -3,6 +3,7 @@
 
 #include "io/NameMeaning.h"
 #include "io/PackingFileError.h"
+#include "io/SplitNames.h"
 
 #include <algorithm>
 #include <array>
@@ -16,106 +17,6 @@ namespace spherepacking
 namespace
 {
 using Names = std::vector<std::string_view>;
-
-bool IsGap(char c)
-{
-  return c == ' ' || c == '\t';
-}
-
-std::string_view Trim(std::string_view text)
-{
-  while (!text.empty() && IsGap(text.front()))
-  {
-    text.remove_prefix(1);
-  }
-  while (!text.empty() && IsGap(text.back()))
-  {
-    text.remove_suffix(1);
-  }
-  return text;
-}
-
-bool IsWhole(std::string_view word)
-{
-  return !word.empty() && word.find_first_not_of("0123456789") == word.npos;
-}
-
-// The line without the signs that begin a comment here or elsewhere.
-std::string_view WithoutSigns(std::string_view line)
-{
-  line = Trim(line);
-  while (!line.empty() && std::string_view("#%/!").find(line.front()) != std::string_view::npos)
-  {
-    line.remove_prefix(1);
-  }
-  return Trim(line);
-}
-
-// Where the brackets that open at `at` close, or `at` if they do not.
-std::size_t BracketEnd(std::string_view line, std::size_t at)
-{
-  const std::size_t end = line.find(line[at] == '(' ? ')' : ']', at);
-  return end == line.npos ? at : end;
-}
-
-enum class Between
-{
-  Anything, // blanks, commas and semicolons
-  Commas,   // or semicolons
-  Tabs,
-  WideGaps // two blanks or more, or a tab
-};
-
-// Splits a line, but not within brackets. Between blanks, brackets are units and left out.
-Names Split(std::string_view line, Between between)
-{
-  const auto separates = [&](std::size_t i)
-  {
-    const char c = line[i];
-    const bool comma = c == ',' || c == ';';
-    const bool wide = IsGap(c) &&
-      (c == '\t' || (i + 1 < line.size() && IsGap(line[i + 1])) || (i > 0 && IsGap(line[i - 1])));
-    return between == Between::Anything ? comma || IsGap(c)
-      : between == Between::Commas      ? comma
-      : between == Between::Tabs        ? c == '\t'
-                                        : wide;
-  };
-  Names names;
-  std::size_t begin = 0;
-  std::size_t noBracket = 0; // up to here brackets do not close
-  const auto take = [&](std::size_t end)
-  {
-    std::string_view name = Trim(line.substr(begin, end - begin));
-    if (name.size() >= 2 && name.front() == '"' && name.back() == '"')
-    {
-      name = name.substr(1, name.size() - 2);
-    }
-    const bool bracket = !name.empty() && (name.front() == '(' || name.front() == '[');
-    const bool unit = bracket && BracketEnd(name, 0) == name.size() - 1 &&
-      !IsWhole(name.substr(1, name.size() - 2));
-    const bool gap = between == Between::Anything || between == Between::WideGaps;
-    if (!name.empty() ? !unit || !gap : !gap)
-    {
-      names.push_back(name);
-    }
-    begin = end + 1;
-  };
-  for (std::size_t i = 0; i < line.size(); ++i)
-  {
-    if ((line[i] == '(' || line[i] == '[') && i >= noBracket)
-    {
-      const std::size_t end = BracketEnd(line, i);
-      noBracket = end == i ? line.size() : noBracket;
-      i = end;
-    }
-    else if (separates(i))
-    {
-      take(i);
-    }
-  }
-  take(line.size());
-  return names;
-}
 
 // The number at the beginning of a name, as in "2:x", "2) x" or "[2] x"; `rest` is what follows.
 std::optional<std::size_t> LeadingNumber(std::string_view name, std::string_view& rest)
@@ -198,33 +99,6 @@ Names InPlace(const Numbered& numbered, std::size_t count)
     names[column] = numbered.Of[i];
   }
   return names;
-}
-
-// The first word of a line, up to a blank.
-std::string_view FirstWord(std::string_view line)
-{
-  return line.substr(0, std::min(line.find_first_of(" \t"), line.size()));
-}
-
-// The line without a word that says that names follow, such as "columns:", but not "id: x: y:".
-std::string_view WithoutLabel(std::string_view line)
-{
-  const auto isLabel = [](std::string_view word)
-  { return word.size() > 1 && word.back() == ':' && (word[0] < '0' || word[0] > '9'); };
-  const std::string_view word = FirstWord(line);
-  const std::string_view rest = Trim(line.substr(word.size()));
-  const bool label = isLabel(word) && word.size() > 2 && !isLabel(FirstWord(rest));
-  return label ? rest : line;
-}
-
-// The same where the word may be a name, too. #C does so in files of IMD.
-std::string_view WithoutLabelWord(std::string_view line)
-{
-  static const std::set<std::string_view> labels{ "columns", "Columns", "fields", "Fields", "names",
-    "Names", "header", "variables", "VARIABLES", "C" };
-  const std::string_view word = FirstWord(line);
-  line = labels.count(word) > 0 ? Trim(line.substr(word.size())) : line;
-  return line.substr(0, 1) == "=" ? Trim(line.substr(1)) : line;
 }
 
 Names WithoutColons(Names names)
@@ -313,7 +187,7 @@ Names JoinTwoWords(const Names& names)
 
 Names SplitWords(std::string_view line)
 {
-  return Split(WithoutLabelWord(WithoutLabel(WithoutSigns(line))), Between::Anything);
+  return SplitNames(WithoutLabelWord(WithoutLabel(WithoutSigns(line))), Between::Anything);
 }
 
 /// Collects the readings of one line.
@@ -487,14 +361,14 @@ NamesFit FitNames(std::string_view line, std::size_t count, Radii radii)
   {
     for (const Between between : { Between::Commas, Between::Tabs, Between::WideGaps })
     {
-      readings.Try(Split(names, between));
+      readings.Try(SplitNames(names, between));
     }
   }
   if (!readings.Fit())
   {
     for (const std::string_view names : lines)
     {
-      readings.TryWords(Split(names, Between::Anything));
+      readings.TryWords(SplitNames(names, Between::Anything));
     }
   }
   NamesFit fit = readings.Result();
