@@ -95,11 +95,11 @@ class PackingAccessor(BoxesOfPacking, GranularOfPacking, MetaballsOfPacking):
 
         Without spheres it is that of an empty PolyData.
         """
-        if not self.n_spheres:
-            return pv.PolyData().bounds
+        packing = self.with_radius()
+        if not packing.n_points:
+            return packing.bounds
         from .backend import vtkSpherePackingInput
 
-        packing = self.with_radius()
         check_radii(packing)
         box = [0.0] * 6
         array = packing.GetPointData().GetArray("radius")
@@ -202,7 +202,8 @@ class PackingAccessor(BoxesOfPacking, GranularOfPacking, MetaballsOfPacking):
             What to colour by: the name of a point array, or an array (n,), (n, 3) or (n, 4). If
             neither `scalars` nor `color` is given, the active point scalars are used.
         rgb : bool, optional
-            Take the scalars as colours; by default if their name ends with ``_rgb`` or ``_rgba``.
+            Take the scalars as colours; by default if their name is ``rgb`` or ``rgba`` or ends
+            with ``_rgb`` or ``_rgba``.
         cmap : str, list or pyvista.LookupTable, optional
             Colour map of the scalars.
         clim : sequence of float, optional

@@ -178,8 +178,7 @@ def centres_of(dataset: Any, radius: str | None = None) -> pv.PolyData:
         filled = [block for block in blocks if block.n_points]
         blocks = [_joined(filled)] if filled else blocks[:1]
     packing = blocks[0] if blocks else pv.PolyData()
-    for name, array in dataset.field_data.items():
-        packing.field_data.setdefault(name, array)
+    _add_field_arrays(packing, dataset)
     return packing
 
 
@@ -251,9 +250,17 @@ def _joined(blocks: list[pv.PolyData]) -> pv.PolyData:
             ]
         )
     for block in blocks:
-        for name, array in block.field_data.items():
-            packing.field_data.setdefault(name, array)
+        _add_field_arrays(packing, block)
     return packing
+
+
+def _add_field_arrays(packing: pv.PolyData, dataset: Any) -> None:
+    """Share the field arrays that the packing lacks; those of blocks tend to be the same."""
+    there, further = packing.GetFieldData(), dataset.GetFieldData()
+    for i in range(further.GetNumberOfArrays() if further else 0):
+        array = further.GetAbstractArray(i)
+        if there.GetAbstractArray(array.GetName()) is None:
+            there.AddArray(array)
 
 
 class DatasetPacking:

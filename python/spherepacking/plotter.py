@@ -140,7 +140,8 @@ class PackingComponent(GranularOfPlotter, MetaballsOfPlotter):
             Name of the actor. An actor of that name is replaced.
         rgb : bool, optional
             Take the scalars as colours, (n, 3) or (n, 4), uint8 or floats from 0 to 1. True by
-            default if the name of the scalars ends with ``_rgb`` or ``_rgba``.
+            default if the name of the scalars is ``rgb`` or ``rgba`` or ends with ``_rgb`` or
+            ``_rgba``.
         component : int, optional
             Component of scalars with several; their magnitude by default.
         n_colors : int, default: 256

@@ -4,6 +4,7 @@ import builtins
 
 import numpy as np
 import pytest
+import pyvista as pv
 import spherepacking
 from spherepacking.cli.frames import slice_of
 from spherepacking.cli.input import radius_of
@@ -147,10 +148,11 @@ def test_what_formats_leave_out():
     packing = spherepacking.apollonian(1)
     assert left_out(packing, "a.csv") is None
     assert left_out(packing, "a.vtp") is None
+    assert left_out(packing, "a.dump") is None
     packing["element"] = ["C"] * packing.n_points
     packing["matId"] = np.zeros(packing.n_points)
     packing.field_data["cell_vectors"] = np.eye(3)
-    text = "holds numbers of each sphere alone: left out element, the cell"
+    text = "holds arrays of each sphere alone: left out the cell"
     assert left_out(packing, "/somewhere/a.csv") == f"a.csv {text}"
     text = "holds x y z r matId alone: left out level, element, the cell"
     assert left_out(packing, "a.txt") == f"a.txt {text}"
@@ -218,6 +220,18 @@ def test_a_range_of_colours_for_all(run, tmp_path):
     assert brightest[3] / brightest[0] == pytest.approx(0.5, abs=0.06)
 
 
+def test_colours_of_a_file_are_shown_as_they_are(tmp_path):
+    (tmp_path / "a.csv").write_text("x,y,z,radius,R,G,B\n0,0,0,1,255,0,0\n4,0,0,1,0,0,255\n")
+    assert render(tmp_path / "a.csv", "--steps", ":", "--scalars", "rgb") == 0
+    (picture,) = pictures(tmp_path, 0)
+    found = {tuple(np.sign(pixel)) for pixel in picture.reshape(-1, 3).astype(int) // 128}
+    assert {(1, 0, 0), (0, 0, 1)} <= found
+    # Colours need no scalar bar.
+    style = [argument for argument in PLAIN if argument != "--no-scalar-bar"]
+    assert render(tmp_path / "a.csv", "--steps", ":", "--scalars", "rgb", style=style) == 0
+    assert np.array_equal(pictures(tmp_path, 0)[0], picture)
+
+
 def test_radii_have_one_range_too(run, tmp_path):
     assert render(run, "--steps", "2:", style=MATT) == 0
     a, b = pictures(tmp_path, 2, 3)
@@ -230,11 +244,7 @@ def test_radii_have_one_range_too(run, tmp_path):
 
 def test_steps_without_spheres(tmp_path):
     """Runs that pour begin with none."""
-    run = tmp_path / "pour.dump"
-    run.write_text(text_of(0, (1, 0, 0, 0, 0, 0, 0, 5, 1)))
     for i, name in enumerate(("s_0.vtp", "s_1.vtp")):
-        import pyvista as pv
-
         mesh = pv.PolyData(np.zeros((i, 3)))
         if i:
             mesh["radius"], mesh["heat"] = [1.0], [2.0]
@@ -245,6 +255,14 @@ def test_steps_without_spheres(tmp_path):
     nothing, one = pictures(tmp_path, 0, 1)
     assert nothing.max() == 0
     assert one.max() > 0
+
+
+def test_metaballs_of_no_spheres(tmp_path):
+    run = tmp_path / "pour.dump"
+    run.write_text(text_of(0) + text_of(10, (1, 0, 0, 0, 0, 0, 0, 5, 1)))
+    assert render(run, "--steps", ":", "--technique", "metaballs", "--dimensions", "16") == 0
+    nothing, one = pictures(tmp_path, 0, 1)
+    assert (nothing.max() == 0, one.max() > 0) == (True, True)
 
 
 @pytest.mark.parametrize("technique", ["raycast", "metaballs", "bvh"])

@@ -143,6 +143,24 @@ def test_blocks_are_joined():
     assert packing.points[3].tolist() == [10.0, 10.0, 10.0]
 
 
+@pytest.mark.parametrize("kind", [pv.MultiBlock, pv.PartitionedDataSet])
+@pytest.mark.parametrize("count", [1, 2])
+def test_field_arrays_of_blocks(kind, count):
+    first, second = mesh(radius=RADII), mesh(radius=RADII)
+    first.field_data["cell_vectors"] = np.eye(3)
+    second.field_data["cell_vectors"] = np.eye(3)
+    blocks = kind([first, second][:count])
+    blocks.field_data["TimeValue"] = [2.0]
+    packing = blocks.packing.with_radius()
+    assert packing.n_points == 3 * count
+    assert packing.field_data["cell_vectors"].tolist() == np.eye(3).tolist()
+    assert packing.field_data["TimeValue"].tolist() == [2.0]
+
+
+def test_no_blocks():
+    assert packing_of(pv.MultiBlock()).n_points == 0
+
+
 def test_the_accessor_of_blocks_and_images():
     blocks = pv.MultiBlock([mesh(radius=RADII), mesh(radius=RADII)])
     assert blocks.packing.n_spheres == 6

@@ -73,9 +73,31 @@ def test_spheres_types_box_and_time(tmp_path):
     assert packing.field_data["cell_periodic"].tolist() == [1, 1, 1]
 
 
-def test_pyvista_reads_them(tmp_path):
-    path = write(tmp_path / "a.gsd", frame(diameter=DIAMETERS))
+@pytest.mark.skipif(pv.version_info < (0, 49), reason="PyVista before 0.49 knows no such classes")
+def test_pyvista_reads_them_step_by_step(tmp_path):
+    moved = frame(20) | {"particles/position": POINTS + 1}
+    path = write(tmp_path / "a.gsd", frame(10, diameter=DIAMETERS), moved)
     assert pv.read(path)["radius"].tolist() == [0.5, 0.25, 0.125]
+    reader = pv.get_reader(path)
+    assert (reader.time_values, reader.number_time_points) == ([10.0, 20.0], 2)
+    assert reader.active_time_value == 10.0
+    reader.set_active_time_value(20.0)
+    assert (reader.active_time_value, reader.time_point_value(1)) == (20.0, 20.0)
+    assert reader.read().points[0].tolist() == [2.0, 3.0, 4.0]
+    reader.set_active_time_point(0)
+    assert reader.read().points[0].tolist() == [1.0, 2.0, 3.0]
+    with pytest.raises(IndexError):
+        reader.set_active_time_point(2)
+    with pytest.raises(ValueError, match="time: found 5, expected one of 10, 20"):
+        reader.set_active_time_value(5)
+
+
+@pytest.mark.skipif(pv.version_info < (0, 49), reason="PyVista before 0.49 knows no such classes")
+def test_pyvista_raises_the_same_error(tmp_path, capfd):
+    path = write(tmp_path / "a.gsd", frame())
+    with pytest.raises(spherepacking.PackingFileError, match=r"a\.gsd: found no diameters"):
+        pv.read(path)
+    assert capfd.readouterr() == ("", "")
 
 
 def test_two_dimensions_are_not_periodic_along_z(tmp_path):

@@ -238,6 +238,13 @@ def test_arguments_of_contacts(arguments, error, message):
         packing.packing.contacts(**arguments)
 
 
+def test_too_many_contacts_are_an_error_and_no_crash():
+    # 3e5 spheres in one place have 4.5e10 contacts. Not under the sanitizers, for which half of the
+    # memory is too much.
+    with pytest.raises(ValueError, match=r"found more than .* contacts within 0, which do not fit"):
+        packing_of(np.zeros((300_000, 3))).packing.contacts()
+
+
 def test_contacts_need_radii():
     with pytest.raises(KeyError, match="radius"):
         pv.PolyData(np.zeros((2, 3))).packing.contacts()

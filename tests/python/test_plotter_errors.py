@@ -278,7 +278,10 @@ def test_a_hidden_packing_is_no_error(tmp_path):
 
 @pytest.mark.parametrize("thing", [None, 3, np.zeros((4, 3)), pv.Table(), "file.spheres"])
 def test_what_is_no_packing(thing):
-    with plotter() as scene, pytest.raises(TypeError, match=r"packing: found a .*expected a PolyD"):
+    with (
+        plotter() as scene,
+        pytest.raises(TypeError, match=r"packing: found an? .*expected a PolyD"),
+    ):
         scene.packing.add(thing)
 
 

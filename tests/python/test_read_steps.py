@@ -1,5 +1,6 @@
 """Steps in one file or in many: ``spherepacking.steps`` and ``read(step=…, time=…)``."""
 
+import gzip
 import json
 
 import numpy as np
@@ -288,6 +289,63 @@ def test_radii_instead_of_those_of_the_file(tmp_path):
         read(path, radius={1: 0.25})
     with pytest.raises(spherepacking.PackingFileError, match=r"a\.csv: radius: found 3 values"):
         read(path, radius=[1, 2, 3])
+
+
+PDB = """MODEL        1
+ATOM      1  N   ALA A   1      12.250   7.125  -5.375  1.00  9.50           N
+ENDMDL
+MODEL        2
+ATOM      1  N   ALA A   1      13.250   7.125  -5.375  1.00  9.50           N
+ENDMDL
+"""
+
+
+def test_models_of_molecules(tmp_path):
+    pytest.importorskip("gemmi")
+    path = tmp_path / "a.pdb.gz"
+    path.write_bytes(gzip.compress(PDB.encode()))
+    steps = spherepacking.steps(path, precision="single")
+    assert (steps.times, xs(steps)) == ([1.0, 2.0], [12.25, 13.25])
+    assert steps[0].points.dtype == np.float32
+    assert steps[0]["element"].tolist() == ["N"]
+    assert spherepacking.read(path, radius={"N": 2.0})["radius"].tolist() == [2.0]
+    with pytest.raises(spherepacking.PackingFileError, match=r"a\.pdb\.gz: .*no radius for N"):
+        spherepacking.read(path, radius={"C": 2.0})
+
+
+@pytest.mark.parametrize(
+    ("name", "text"),
+    [
+        ("a.dump", HEAD.replace(" {radius}", "").format(step=0) + "1 1 0 0\n"),
+        ("a.xyz", "1\nmade up\nC 1 0 0\n"),
+        ("a.csv", "x,y,z\n1,0,0\n"),
+    ],
+)
+def test_files_without_radii_say_how_to_give_them(tmp_path, name, text):
+    path = tmp_path / name
+    path.write_text(text)
+    with pytest.raises(spherepacking.PackingFileError, match=r"; radius= gives radii \(--radius"):
+        spherepacking.read(path)
+    packing = spherepacking.read(path, radius=0.5)
+    assert (packing.points.tolist(), packing["radius"].tolist()) == ([[1, 0, 0]], [0.5])
+
+
+def test_other_errors_say_nothing_of_radii(tmp_path):
+    (tmp_path / "a.csv").write_text("x,y,z,r\n1,0,0,-1\n")
+    with pytest.raises(spherepacking.PackingFileError) as caught:
+        spherepacking.read(tmp_path / "a.csv")
+    assert "radius=" not in str(caught.value)
+
+
+def test_columns_of_a_table(tmp_path, dump):
+    path = tmp_path / "a.txt"
+    path.write_text("1 2 3 4 5\n2 3 4 5 6\n")
+    packing = spherepacking.read(path, columns="r y z w x")
+    assert packing.points.tolist() == [[5, 2, 3], [6, 3, 4]]
+    assert packing["radius"].tolist() == [1.0, 2.0]
+    assert packing["w"].tolist() == [4.0, 5.0]
+    with pytest.raises(spherepacking.PackingFileError, match=r"run\.dump: found names of columns"):
+        spherepacking.read(dump, columns="id x y z r")
 
 
 # --- what is no packing ---------------------------------------------------------------------------

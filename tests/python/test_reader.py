@@ -11,6 +11,7 @@ import pytest
 import pyvista as pv
 import spherepacking
 from spherepacking.files.readers import SpherePackingReader
+from spherepacking.files.steps_reader import PackingStepsReader
 from spherepacking.vtk_tools import progress_bar
 
 TEXT = "0 0 0 1\n3.5 0 0.25 0.5\n"
@@ -100,11 +101,10 @@ def is_ours(point):
 @reader_classes
 def test_every_extension_is_known_to_pyvista(tmp_path):
     for point in entry_points(group="pyvista.readers"):
-        # The others are functions, without steps.
-        if is_ours(point) and point.attr == "entry_point":
+        if is_ours(point):
             path = tmp_path / f"file{point.name}"
             path.write_bytes(b"")
-            assert isinstance(pv.get_reader(path), SpherePackingReader)
+            assert isinstance(pv.get_reader(path), (SpherePackingReader, PackingStepsReader))
 
 
 def test_time_steps_of_a_dump(tmp_path):

@@ -105,3 +105,24 @@ def write():
         return good, message
 
     return write_file
+
+
+@pytest.fixture(scope="session")
+def read_steps():
+    """Read all steps of a file: what each is asked for by, and its packing or error message."""
+
+    def read_all(path, **options):
+        reader = make_reader(path, **options)
+        reader.AddObserver("ErrorEvent", lambda *_: None)
+        reader.UpdateInformation()
+        executive = reader.GetExecutive()
+        times = list(reader.GetOutputInformation(0).Get(executive.TIME_STEPS()) or ())
+        steps = []
+        for time in times:
+            reader.UpdateTimeStep(time)
+            packing = pv.PolyData()
+            packing.DeepCopy(reader.GetOutput())
+            steps.append(reader.GetErrorMessage() or packing)
+        return times, steps
+
+    return read_all

@@ -224,7 +224,14 @@ BAD = {
         "bound the box",
     ),
     "no time": ("ITEM: TIMESTEP\nsoon\n" + step(0, COLUMNS, ROWS), 2, "'soon'", "the time step"),
-    "cut short": (step(0, COLUMNS, ROWS)[:60], 5, "end of the step", "bound the box"),
+    "cut short": (step(0, COLUMNS, ROWS)[:60], 5, "end of the file within 'ITEM: BOX", "ITEM: AT"),
+    "no box": (step(0, COLUMNS, ROWS)[:67], 5, "end of the step", "bound the box"),
+    "names cut": (
+        step(0, COLUMNS, [], box=("0 1",) * 3)[:-4],
+        9,
+        "end of the file within",
+        "ITEM: AT",
+    ),
     "no step": ("ITEM: NUMBER OF ATOMS\n2\n", 1, "'ITEM: NUMBER OF ATOMS'", "ITEM: TIMESTEP"),
     "no such item": (
         step(0, COLUMNS, ROWS).replace("ITEM: BOX", "BOX"),
@@ -259,3 +266,107 @@ def test_fractions_without_a_box(read_error, tmp_path):
     (tmp_path / "p.dump").write_text("\n".join(lines))
     message, _ = read_error(tmp_path / "p.dump")
     assert "line 5: found centres as fractions of the box, expected ITEM: BOX BOUNDS" in message
+
+
+def test_the_cell(read_text):
+    packing = read_text(step(0, COLUMNS, ROWS, bounds="pp ff ps"), "p.dump")
+    assert packing.field_data["cell_vectors"].tolist() == [[10, 0, 0], [0, 20, 0], [0, 0, 10]]
+    assert packing.field_data["cell_origin"].tolist() == [0, 0, -5]
+    assert packing.field_data["cell_periodic"].tolist() == [1, 0, 0]
+
+
+def test_a_tilted_cell(read_text):
+    # The bounds are those of the box around the tilted cell (LAMMPS manual, "Triclinic boxes").
+    text = step(
+        0, COLUMNS, ROWS, bounds="xy xz yz ff pp pp", box=("-2 13 3", "1 22.5 -2", "-1 4 1.5")
+    )
+    data = read_text(text, "p.dump").field_data
+    assert data["cell_vectors"].tolist() == [[10, 0, 0], [3, 20, 0], [-2, 1.5, 5]]
+    assert data["cell_origin"].tolist() == [0, 1, -1]
+    assert data["cell_periodic"].tolist() == [0, 1, 1]
+
+
+def test_a_general_cell(read_text):
+    box = ["1 2 3 10", "-1 1 0 20", "0 1 4 30"]
+    text = step(0, COLUMNS, ROWS, bounds="abc origin pp ff pp", box=box)
+    data = read_text(text, "p.dump").field_data
+    assert data["cell_vectors"].tolist() == [[1, 2, 3], [-1, 1, 0], [0, 1, 4]]
+    assert data["cell_origin"].tolist() == [10, 20, 30]
+    assert data["cell_periodic"].tolist() == [1, 0, 1]
+
+
+@pytest.mark.parametrize("bounds", ["", "xy xz yz"])
+def test_without_flags_a_cell_is_periodic(read_text, bounds):
+    box = ["0 1 0" if bounds else "0 1"] * 3
+    packing = read_text(step(0, COLUMNS, ROWS, bounds=bounds, box=box), "p.dump")
+    assert packing.field_data["cell_periodic"].tolist() == [1, 1, 1]
+
+
+def test_no_atoms(tmp_path, read_steps):
+    (tmp_path / "p.dump").write_text(step(0, COLUMNS, []) + step(5, COLUMNS, ROWS))
+    times, (empty, full) = read_steps(tmp_path / "p.dump")
+    assert times == [0, 5]
+    assert empty.n_points == empty.n_cells == 0
+    assert empty.point_data.keys() == ["radius", "id", "type", "element"]
+    assert empty.field_data["cell_vectors"].shape == (3, 3)
+    assert full.n_points == 2
+
+
+def test_labels(read_text):
+    # Dumps have no comments, and no separators but blanks.
+    rows = ["1 Fe#2 1 2 3 0.5", "2 a,b;c 4 5 6 0.25", "# a remark of a job script", "3 O 7 8 9 1"]
+    text = step(0, "id typelabel x y z radius", rows, count=3)
+    packing = read_text(text, "p.dump")
+    assert packing["typelabel"].tolist() == ["Fe#2", "a,b;c", "O"]
+    assert packing.points[:, 0].tolist() == [1, 4, 7]
+
+
+def test_a_column_that_turns_to_text_in_a_later_block(read_text):
+    rows = ["1.5 2.5 3.5 0.5 7"] * 1_100_000  # 20 MB, of which a block is 16 MiB
+    rows[-1] = "1.5 2.5 3.5 0.5 seven"
+    packing = read_text(step(0, "x y z radius name", rows), "p.dump")
+    assert packing["name"][[0, -2, -1]].tolist() == ["7", "7", "seven"]
+    assert packing["radius"].tolist() == [0.5] * len(rows)
+
+
+def test_a_header_longer_than_a_block(read_text):
+    count = 200_000
+    names = " ".join(f"{'c' * 80}{i:07}" for i in range(count))  # 17 MB
+    numbers = " 1" * count
+    text = step(0, f"x y z radius {names}", [f"1 2 3 0.5{numbers}"])
+    packing = read_text(text, "p.dump")
+    assert packing.points.tolist() == [[1, 2, 3]]
+    assert packing["c" * 80 + "0199999"].tolist() == [1]
+
+
+def test_without_radii(read_text):
+    text = step(0, "id x y z", ["1 2 3 4"])
+    packing = read_text(text, "p.dump", optional=True)
+    assert packing.points.tolist() == [[2, 3, 4]]
+    assert packing.point_data.keys() == ["id"]
+
+
+def test_a_count_of_atoms_that_no_file_holds(read_error, tmp_path):
+    # Memory for so many would be refused, or taken.
+    (tmp_path / "p.dump").write_text(step(0, COLUMNS, ROWS, count=10**15))
+    message, _ = read_error(tmp_path / "p.dump")
+    assert "line 4: found 1000000000000000 as the number of atoms, but 2 lines" in message
+
+
+def test_rows_too_short_for_the_file_to_hold_their_columns(read_error, tmp_path):
+    names = " ".join(f"c{i}" for i in range(100))
+    rows = ["1 2 3 4 " + "5 " * 100] + ["1 2 3"] * 4
+    (tmp_path / "p.dump").write_text(step(0, f"x y z radius {names}", rows))
+    message, _ = read_error(tmp_path / "p.dump")
+    assert "line 11: found 3 columns '1 2 3', expected 104 columns" in message
+
+
+def test_a_dump_in_yaml(read_error, tmp_path):
+    path = tmp_path / "dump.yaml"
+    path.write_text("---\ncreator: LAMMPS\ntimestep: 0\n")
+    message, code = read_error(path)
+    assert message == (
+        f"{path}, line 1: found a dump of LAMMPS in YAML, "
+        "expected one in text, as dump custom writes"
+    )
+    assert code == FORMAT

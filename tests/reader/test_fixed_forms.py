@@ -42,6 +42,22 @@ def test_tree_of_the_toolkit(read_text):
     assert single["radius"].tolist() == packing["radius"].astype(np.float32).tolist()
 
 
+def test_what_the_commands_of_the_toolkit_append(read_text):
+    end = "\n\nOptions :\n\tdepth\t: 3\n\terFact\t: 2.000000\n\n\nEvaluation :\n\tLevel 0\n"
+    assert read_text(TREE + end, "p.sph").n_points == 5
+    assert read_text(TREE + "Evaluation :\n\t\tNum\t: 1\n", "p.sph").n_points == 5
+
+
+def test_trees_without_occupancy_and_with_auxiliary_spheres(read_text):
+    packing = read_text("2 1\n0 0 0 2\n0 1 0 1\n", "p.sph")
+    check(packing, [(0, 0, 0, 2), (0, 1, 0, 1)])
+    assert packing.array_names == ["radius", "level", "parent"]
+    check(read_text("2 1\n0 0 0 2 9 9 9 9 9\n0 1 0 1\n", "p.sph"), [(0, 0, 0, 2), (0, 1, 0, 1)])
+    packing = read_text("2 1\n0 0 0 2 0.5 9 9 9 9 9\n0 1 0 1 0.25\n", "p.sph")
+    check(packing, [(0, 0, 0, 2), (0, 1, 0, 1)])
+    assert packing["occupancy"].tolist() == [0.5, 0.25]
+
+
 def test_trees_of_one_level_or_one_child(read_text):
     check(read_text("1 8\n1 2 3 4 1\n", "p.sph"), [(1, 2, 3, 4)])
     packing = read_text("3 1\n0 0 0 3 1\n0 0 0 2 1\n0 0 0 1 1\n", "p.sph")
@@ -127,6 +143,12 @@ def test_samples_of_a_neuron(read_text, name):
     assert packing["id"].tolist() == [1, 2, 5]
     assert packing["type"].tolist() == [1, 3, 3]
     assert packing["parent"].tolist() == [-1, 1, 2]
+
+
+@pytest.mark.parametrize("ids", [(2, 1), (1, 1)], ids=["backwards", "repeated"])
+def test_samples_by_content_in_any_order(read_text, ids):
+    text = f"7 1 0 0 0 2 -1\n{ids[0]} 3 1 0 0 0.5 {ids[1]}\n{ids[1]} 3 1 1 0 0.5 7\n"
+    assert read_text(text, "p.txt")["radius"].tolist() == [2, 0.5, 0.5]
 
 
 def test_a_swc_file_by_name_may_be_in_any_order_and_have_further_columns(read_text):
@@ -304,7 +326,9 @@ def test_charges_and_radii_in_the_columns_of_a_pdb_file(read_text, read_error, t
     assert read_text(PDB, "p.pdb", fmt="PQR")["radius"].tolist() == [9.5, 12.25]
 
 
-@pytest.mark.parametrize("first", ["Atom x y z r", "# remark\natom x y z r", "MODEL x y z r"])
+@pytest.mark.parametrize(
+    "first", ["Atom x y z r", "# remark\natom x y z r", "MODEL x y z r", "data_id x y z r"]
+)
 def test_names_of_columns_are_no_records(read_text, first):
     check(read_text(first + "\n1 2 3 4 5\n", "p.txt"), [(2, 3, 4, 5)])
 
@@ -321,7 +345,10 @@ BAD = {
     "tree, many nodes": ("p.sph", TREE + "0 0 0 1 1\n", 1, "but 8 lines", "as many"),
     "tree, huge": ("p.sph", "900000 900000\n0 0 0 1 1\n", 1, "but 1 lines", "as many"),
     "tree, no degree": ("p.sph", "1 0\n0 0 0 1 1\n", 1, "'1 0'", "children a node"),
-    "tree, columns": ("p.sph", "1 2\n0 0 0 1\n", 2, "'0 0 0 1'", "occupancy"),
+    "tree, columns": ("p.sph", "1 2\n0 0 0 1 1 1\n", 2, "'0 0 0 1 1 1'", "occupancy"),
+    "tree, cut row": ("p.sph", TREE.replace(" 0.5\n", "\n"), 8, "'-0.75 0 0 0.125'", "occupancy"),
+    "tree, longer row": ("p.sph", "2 1\n0 0 0 1\n0 0 0 1 1\n", 3, "'0 0 0 1 1'", "4 columns"),
+    "tree, other text": ("p.sph", TREE + "More :\n", 9, "'More :'", "occupancy"),
     "tree, number": ("p.sph", "1 2\n0 0 x 1 1\n", 2, "'x' as z", "a number"),
     "tree, cut number": ("p.sph", "1 2\n0 0 1e 1 1\n", 2, "'1e' as z", "a number"),
     "tree, all absent": ("p.sph", "1 2\n0 0 0 -1 0\n", None, "no sphere", "not negative"),

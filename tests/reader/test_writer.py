@@ -124,7 +124,7 @@ BAD = {
     "vector": (vector_radius, "p.spheres", "has 3 components, expected 1"),
     "nan-centre": (bad_center, "p.csv", "centre of point 2 has the coordinate nan"),
     "no-points": (no_points, "p.spheres", "holds no sphere, expected at least one"),
-    "dump": (lambda mesh: None, "p.dump", "cannot be written, expected the extension .spheres"),
+    "pqr": (lambda mesh: None, "p.pqr", "cannot be written, expected the extension .spheres"),
     "no-extension": (lambda mesh: None, "p", "cannot be written, expected the extension .spheres"),
     "array-called-x": (array_called_x, "p.csv", "'x' and 'x', which name one thing twice"),
     "array-with-a-comma": (array_with_a_comma, "p.csv", "'a,b' has a separator"),

@@ -24,8 +24,28 @@ using namespace spherepacking;
 static_assert(vtkSpherePackingReader::AUTO == static_cast<int>(Format::Auto) &&
     vtkSpherePackingReader::XYZD == static_cast<int>(Format::Xyzd) &&
     vtkSpherePackingReader::SPHERE_TREE == static_cast<int>(Format::SphereTree) &&
-    vtkSpherePackingReader::PACKLSD == static_cast<int>(Format::PackLsd),
+    vtkSpherePackingReader::ESYS == static_cast<int>(Format::EsysSnapshot),
   "Format and FileFormats must have the same values");
+
+namespace
+{
+// Whether the names of columns may be given: not where the format says what they are.
+bool TakesColumns(Format format)
+{
+  switch (format)
+  {
+    case Format::Spheres:
+    case Format::Xyzr:
+    case Format::Yade:
+    case Format::Csv:
+    case Format::LammpsData:
+    case Format::Xyz:
+      return true;
+    default:
+      return false;
+  }
+}
+}
 
 class vtkSpherePackingReader::Internals
 {
@@ -134,6 +154,11 @@ void vtkSpherePackingReader::ReadFile(vtkInformation* outInfo, vtkPolyData* outp
   {
     format = GuessFormat(file);
   }
+  if (!options.Columns.empty() && !TakesColumns(format))
+  {
+    throw PackingFileError(vtkErrorCode::FileFormatError,
+      file + ": found names of columns for a format that says what its columns are, expected none");
+  }
   const auto readStep = [&](const auto& read)
   {
     using SDDP = vtkStreamingDemandDrivenPipeline;
@@ -178,6 +203,9 @@ void vtkSpherePackingReader::ReadFile(vtkInformation* outInfo, vtkPolyData* outp
       break;
     case Format::PackLsd:
       ReadPackLsd(file, options, progress).MoveTo(output);
+      break;
+    case Format::EsysSnapshot:
+      ReadEsysSnapshot(file, options, progress).MoveTo(output);
       break;
     case Format::LammpsData:
       ReadLammpsData(file, options, progress).MoveTo(output);

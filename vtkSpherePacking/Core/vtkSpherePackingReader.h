@@ -28,6 +28,7 @@
  * | MEDIAL_AXIS | .ma, or by content           | vertices of a medial mesh                        |
  * | KRATOS      | .mdpa, or by content         | nodes of Kratos that have a radius               |
  * | PACKLSD     | any, by content              | a packing and its cell by PackLSD                |
+ * | ESYS        | any, by content              | NAME_0.txt, a snapshot of ESyS-Particle          |
  *
  * Text may have blanks, tabs, commas or semicolons between the columns, blank lines, comments that
  * begin with #, lines that end in LF, CR LF or CR, and a byte order mark: of UTF-8, UTF-16 or
@@ -67,6 +68,9 @@
  * are 0, 1, 2 and so on. The field array `TimeValue` has the file's own number. A step without
  * spheres has no points. A last step that was cut before it says what it is, since the run was
  * stopped, is left out; one that was cut later is an error when it is read.
+ *
+ * A snapshot of ESyS-Particle is a file that names those with the particles, one per worker of the
+ * run; they are looked for beside it. Its time is the number of the step times their length.
  *
  * The simulation cell of a dump, a LAMMPS data file, an extended XYZ or a MercuryDPM file becomes
  * the field arrays `cell_vectors` (three tuples a, b, c), `cell_origin` and `cell_periodic` (1 for
@@ -120,7 +124,8 @@ public:
     GENGEO,
     MEDIAL_AXIS,
     KRATOS,
-    PACKLSD
+    PACKLSD,
+    ESYS
   };
 
   ///@{
@@ -136,7 +141,7 @@ public:
    * The format of the file. Default AUTO: by its extension, or by its content where the extension
    * is not enough. Values outside of FileFormats are clamped.
    */
-  vtkSetClampMacro(Format, int, AUTO, PACKLSD);
+  vtkSetClampMacro(Format, int, AUTO, ESYS);
   vtkGetMacro(Format, int);
   ///@}
 
@@ -164,7 +169,7 @@ public:
    * "id x y z r"; - or _ is a column to skip. Then neither a header nor comments decide, lines of
    * words before the first row are skipped, and every row must have as many columns. Default null
    * or empty: they are found. Also names those of LAMMPS_DATA, of the section Atoms, and of XYZ
-   * without Properties. Has no effect on other formats. Without x, y and z the update is an error.
+   * without Properties; with other formats the update is an error, and without x, y and z.
    */
   vtkSetStringMacro(Columns);
   vtkGetStringMacro(Columns);

@@ -18,6 +18,23 @@ using namespace spherepacking;
 
 vtkStandardNewMacro(vtkSpherePackingWriter);
 
+namespace
+{
+// The format by the extension, where those that several formats have stand for one of them.
+Format WrittenFormat(const std::string& file)
+{
+  using vtksys::SystemTools;
+  const std::string extension = SystemTools::LowerCase(SystemTools::GetFilenameLastExtension(file));
+  const bool isXyz = extension == ".xyz" || extension == ".extxyz" || extension == ".exyz";
+  return extension == ".txt" ? Format::Yade : isXyz ? Format::Xyz : FormatOfExtension(file);
+}
+
+bool CanWrite(Format kind)
+{
+  return (kind >= Format::Spheres && kind <= Format::Dump) || kind == Format::Xyz;
+}
+}
+
 //------------------------------------------------------------------------------
 vtkSpherePackingWriter::vtkSpherePackingWriter()
 {
@@ -92,16 +109,14 @@ void vtkSpherePackingWriter::WriteFile(vtkPolyData* packing)
   options.Kind = static_cast<spherepacking::Format>(this->Format);
   if (options.Kind == Format::Auto)
   {
-    const std::string extension =
-      vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(file));
-    options.Kind = extension == ".txt" ? Format::Yade : FormatOfExtension(file);
+    options.Kind = WrittenFormat(file);
   }
-  if (options.Kind < Format::Spheres || options.Kind > Format::Xyzd)
+  if (!CanWrite(options.Kind))
   {
     throw PackingFileError(vtkErrorCode::UnrecognizedFileTypeError,
       file +
         ": found a format that cannot be written, expected the extension .spheres, "
-        ".xyzr, .txt, .csv or .xyzd");
+        ".xyzr, .txt, .csv, .xyzd, .dump or .xyz");
   }
   vtkNew<vtkSpherePackingInput> input;
   options.Radii = input->FindRadii(packing, this->RadiusArrayName);

@@ -10,10 +10,17 @@
  * | SPHERES | .spheres  | `x y z r` per line, largest first                                     |
  * | XYZR    | .xyzr     | `x y z r` per line                                                    |
  * | YADE    | .txt      | `#format x_y_z_r`, or `x_y_z_r_matId` with a point array of that name |
- * | CSV     | .csv      | `x,y,z,radius`, then a column per component of other numeric arrays   |
+ * | CSV     | .csv      | `x,y,z,radius`, then a column per component of other arrays           |
  * | XYZD    | .xyzd     | little-endian float64 x y z diameter                                  |
+ * | DUMP    | .dump     | a step of LAMMPS: time, cell, `x y z radius` and other arrays         |
+ * | XYZ     | .xyz      | extended XYZ: time, cell, `pos`, `radius` and other arrays            |
  *
- * Only CSV holds all point arrays; the other formats leave them out. Numbers get the shortest
+ * .lammpstrj and .liggghts are DUMP, too, .extxyz and .exyz XYZ. These and CSV hold all point
+ * arrays, numbers and texts; the other formats leave them out. Vectors whose parts are arrays, too,
+ * are left to the reader, which joins them. DUMP and XYZ hold the cell, that is the field arrays
+ * `cell_vectors`, `cell_origin` and `cell_periodic`, and `TimeValue`; a DUMP without a time says 0.
+ * A tilted cell that rounding would change among the bounds of a DUMP is written as one of general
+ * vectors. Texts have to be without what separates them. Numbers get the shortest
  * digits that read back as the same double, which also read back as the same float, in any locale.
  *
  * The file is replaced atomically, once it is complete: an error, an abort or a full disk leaves an
@@ -55,7 +62,7 @@ public:
    * The format of the file, one of vtkSpherePackingReader::FileFormats. Default AUTO: by the
    * extension. Other values are clamped; those that cannot be written are an error on writing.
    */
-  vtkSetClampMacro(Format, int, vtkSpherePackingReader::AUTO, vtkSpherePackingReader::SPHERE_TREE);
+  vtkSetClampMacro(Format, int, vtkSpherePackingReader::AUTO, vtkSpherePackingReader::MERCURY);
   vtkGetMacro(Format, int);
   ///@}
 

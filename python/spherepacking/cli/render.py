@@ -11,6 +11,7 @@ import pyvista as pv
 
 from ..checks import color_of
 from ..files.image import check_output
+from ..look.scalars import means_colors
 from ..vtk_tools import window_of
 from .camera import aim, fit
 from .frames import check_frames, frame_writer, slice_of
@@ -100,8 +101,10 @@ def _draw(packing: pv.PolyData, options: RenderOptions, scene: Scene, *, several
             plotter.background_color = color_of("--background", options.background)
         _set_quality(plotter, options)
         look = scene.look
-        if not packing.n_points and look.scalars is not None:
-            look = replace(look, scalars=None, clim=None)  # it has no such array
+        if several and not packing.n_points:
+            look = replace(look, scalars=None, clim=None)  # it has no arrays
+            if options.technique == "metaballs":
+                options = replace(options, technique="opengl")  # nor a surface
         shown = _add(plotter, packing, look, options)
         if several and scene.bounds is not None:
             shown = _corners(scene.bounds)
@@ -160,7 +163,9 @@ def _add(
         packing,
         **look.kwargs(),
         **material,
-        show_scalar_bar=options.scalar_bar and not traced,
+        show_scalar_bar=options.scalar_bar
+        and not traced
+        and not means_colors(options.scalars or ""),
         scalar_bar_args=_SCALAR_BAR,
     )
     if options.technique in ("bvh", "grid"):

@@ -9,6 +9,7 @@ import pyvista as pv
 
 from ..accessor import PackingAccessor
 from ..look.look import Look
+from ..look.scalars import means_colors
 from .camera import check_extent
 
 if TYPE_CHECKING:
@@ -20,8 +21,6 @@ if TYPE_CHECKING:
 
 # Radii that spread over more than this ratio are coloured by their logarithm.
 _WIDE = 20.0
-# Arrays of such names hold colours.
-_COLORS = ("_rgb", "_rgba")
 
 
 class Scene(NamedTuple):
@@ -133,7 +132,7 @@ def _look_of(
         if log_scale and clim is None:
             # Zero has no logarithm, and nothing that is drawn has that radius.
             clim = positive.limits
-    if several and color is None and clim is None and not (scalars or "").endswith(_COLORS):
+    if several and color is None and clim is None and not means_colors(scalars or ""):
         clim = (positive if by_radius and log_scale else radii if by_radius else values).limits
     return Look(
         scalars=scalars, cmap=options.cmap, clim=clim, log_scale=bool(log_scale), color=color

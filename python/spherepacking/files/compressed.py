@@ -182,7 +182,10 @@ def _zstandard_pieces(path: Path, source: BinaryIO) -> Iterator[bytes]:
     if sys.version_info >= (3, 14):
         from compression import zstd
 
-        yield from _pieces_by(zstd.ZstdDecompressor)(path, source)
+        try:
+            yield from _pieces_by(zstd.ZstdDecompressor)(path, source)
+        except zstd.ZstdError as error:
+            raise ValueError(str(error)) from None
         return
     try:
         import zstandard

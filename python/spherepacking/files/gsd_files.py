@@ -104,6 +104,11 @@ class GsdFile:
         """Add what the file holds about the particles."""
         particles = frame.particles
         data = packing.point_data
+        if len(particles.typeid) != packing.n_points or not particles.types:
+            raise PackingFileError(
+                f"{self._path}: found {len(particles.typeid)} types of particles in frame {index}, "
+                f"expected {packing.n_points}"
+            )
         if particles.typeid.max() >= len(particles.types):
             raise PackingFileError(
                 f"{self._path}: found the type {particles.typeid.max()} in frame {index}, "

@@ -2,20 +2,23 @@
 
 from __future__ import annotations
 
-import importlib
 from contextlib import nullcontext
 from typing import TYPE_CHECKING
 
 from ..vtk_tools import progress_bar
 from .compressed import Uncompressed, compression_of, inner_name
 from .errors import PackingFileError
+from .gsd_files import GsdFile
 from .kinds import what_else
+from .molecules import EXTENSIONS as MOLECULES
+from .molecules import MoleculeFile
 from .readers import SpherePackingReader
 from .source import finished
 from .vtk_files import EXTENSIONS as VTK_EXTENSIONS
-from .vtk_files import INDICES, SINGLE_STEP
+from .vtk_files import INDICES, SINGLE_STEP, VtkFile
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from pathlib import Path
 
     import pyvista as pv
@@ -24,13 +27,6 @@ if TYPE_CHECKING:
 
 # Seconds before a progress bar appears, so that short work shows none.
 _BAR_DELAY = 0.5
-# Classes that read what the C++ reader does not, by extension. Their libraries are imported when
-# they are needed.
-_CLASSES = {
-    **dict.fromkeys(VTK_EXTENSIONS, (".vtk_files", "VtkFile")),
-    ".gsd": (".gsd_files", "GsdFile"),
-    **dict.fromkeys((".pdb", ".ent", ".cif", ".mmcif"), (".molecules", "MoleculeFile")),
-}
 
 
 def open_file(path: Path, request: Request) -> PackingSource:
@@ -80,19 +76,15 @@ def has_one_step(path: Path) -> bool:
 
 def _open(path: Path, shown: Path, request: Request) -> PackingSource:
     """Open a file that is not compressed and that the user calls `shown`."""
-    home = _CLASSES.get(path.suffix.lower())
-    if home is None:
+    reader = _READERS.get(path.suffix.lower())
+    if reader is None:
         return _PlainFile(path, shown, request)
     if request.columns is not None:
         raise PackingFileError(
             f"{path}: found names of columns for a file of the extension {path.suffix}, expected "
             "them for a table in text"
         )
-    module, name = home
-    source: PackingSource = getattr(importlib.import_module(module, __package__), name)(
-        path, request
-    )
-    return source
+    return reader(path, request)
 
 
 class _PlainFile:
@@ -117,14 +109,43 @@ class _PlainFile:
         try:
             with bar if self._request.progress else nullcontext():
                 packing = reader.read()
-        except PackingFileError:
+        except PackingFileError as error:
             sentence = what_else(self._path)
+            if sentence is None and self._lacks_radii_alone():
+                sentence = f"{error}; radius= gives radii (--radius)"
             if sentence is None:
                 raise
             raise PackingFileError(sentence) from None
         if self._request.radius is None:
             return packing
         return finished(packing, self._path, self._request)
+
+    def _lacks_radii_alone(self) -> bool:
+        """Whether a file that was refused is read when it need not have radii."""
+        if self._request.radius is not None:
+            return False
+        reader = self._reader
+        reader.reader.SetRadiusOptional(True)
+        try:
+            packing = reader.read()
+            return packing.n_points > 0 and "radius" not in packing.point_data
+        except PackingFileError:
+            return False
+        finally:
+            reader.reader.SetRadiusOptional(False)
+
+
+class _Molecules:
+    """A file of molecules, read by gemmi; each model is a step."""
+
+    def __init__(self, path: Path, request: Request) -> None:
+        self._path, self._request = path, request
+        self._file = MoleculeFile(path)
+        self.times = self._file.times
+
+    def read(self, index: int) -> pv.PolyData:
+        """Read the packing of a model."""
+        return finished(self._file.read(index), self._path, self._request)
 
 
 class CompressedFile:
@@ -163,3 +184,11 @@ class CompressedFile:
     def close(self) -> None:
         """Remove the temporary file."""
         self._file.remove()
+
+
+# What reads that which the C++ reader does not, by extension.
+_READERS: dict[str, Callable[[Path, Request], PackingSource]] = {
+    **dict.fromkeys(VTK_EXTENSIONS, VtkFile),
+    **dict.fromkeys(MOLECULES, _Molecules),
+    ".gsd": GsdFile,
+}

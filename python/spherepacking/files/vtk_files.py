@@ -16,6 +16,7 @@ from ..radii import radius_name_in
 from .errors import PackingFileError
 from .source import Request, finished
 from .vtk_counts import check_counts
+from .vtk_legacy import check_legacy
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -46,11 +47,11 @@ class VtkFile:
     def __init__(self, path: Path, request: Request) -> None:
         self._path = path
         self._request = request
+        check_legacy(path)
         check_counts(path)
         with errors_of_vtk(f"{path}: found no dataset that VTK can read"):
             self._reader: Any = pv.get_reader(path)
             algorithm = self._reader.reader
-            algorithm.UpdateInformation()
             key = algorithm.GetExecutive().TIME_STEPS()
             self.times = list(algorithm.GetOutputInformation(0).Get(key) or ())
 

@@ -54,8 +54,8 @@ def left_out(packing: pv.PolyData, path: str | os.PathLike[str]) -> str | None:
         names = [name for name in names if name not in held]
         what = " ".join(["x y z r", *held])
     elif extension == ".csv":
-        names = [name for name in names if packing.point_data[name].dtype.kind in "US"]
-        what = "numbers of each sphere"
+        names = []
+        what = "arrays of each sphere"
     else:
         return None
     lost = [*names, *(["the cell"] if "cell_vectors" in packing.field_data else [])]
@@ -71,9 +71,10 @@ def write(
     """Write a packing in the format of the extension of `path`.
 
     ``.spheres`` and ``.xyzr`` are text, ``.xyzd`` is binary, ``.txt`` is YADE's text, and ``.csv``
-    also holds the other numeric point arrays. A ``.spheres`` file has the largest sphere first.
-    VTK's ``.vtp``, ``.vtu`` and ``.vtk`` hold all arrays and the cell. Numbers read back exactly.
-    ``packing.save(path)`` does the same, except for ``.txt``.
+    also holds the other point arrays. A LAMMPS ``.dump`` and extended ``.xyz`` hold these, the cell
+    and the time, and so do VTK's ``.vtp``, ``.vtu`` and ``.vtk``. A ``.spheres`` file has the
+    largest sphere first. Numbers read back exactly. ``packing.save(path)`` does the same, except
+    for ``.txt``.
 
     Parameters
     ----------

@@ -113,8 +113,8 @@ class GranularOfPlotter:
         plotter = self.plotter
         cell_name = None if name is None else f"{name} (cell)"
         if outline is None:
-            if cell_name in plotter.actors:
-                plotter.remove_actor(cell_name, render=False)
+            if cell_name in plotter.renderer.actors:
+                plotter.renderer.remove_actor(cell_name, render=False)
             return
         edges, color = outline
         plotter.add_mesh(

@@ -33,7 +33,8 @@ class Look:
         Name of a point array, or an array (n,), (n, 3) or (n, 4). If this is None and there is no
         other colour, the active point scalars are used.
     rgb : bool, optional
-        Take the scalars as colours; by default if their name ends with ``_rgb`` or ``_rgba``.
+        Take the scalars as colours; by default if their name is ``rgb`` or ``rgba`` or ends with
+        ``_rgb`` or ``_rgba``.
     cmap : str, list or pyvista.LookupTable, optional
         Colour map of the scalars.
     clim : sequence of float, optional

@@ -100,10 +100,15 @@ def scalars_of(
     if values is not None:
         values = _checked(values)
     if rgb is None:
-        rgb = isinstance(scalars, str) and scalars.endswith(("_rgb", "_rgba"))
+        rgb = isinstance(scalars, str) and means_colors(scalars)
     if rgb:
         _check_colors(values, packing.n_points)
     return Scalars(values, name, bool(rgb), isinstance(scalars, str))
+
+
+def means_colors(name: str) -> bool:
+    """Whether an array of that name holds colours, as readers and PyVista call them."""
+    return name in ("rgb", "rgba") or name.endswith(("_rgb", "_rgba"))
 
 
 def _free_name(packing: pv.PolyData) -> str:

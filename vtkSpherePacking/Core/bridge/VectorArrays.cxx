@@ -8,7 +8,9 @@
 #include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -55,6 +57,24 @@ Vector VectorOf(const std::string& first)
   return {};
 }
 
+// Whether vectors have these components, NaN being equal to NaN.
+bool AreParts(const std::array<vtkDoubleArray*, 3>& parts, vtkDataArray* vectors)
+{
+  for (vtkIdType i = 0; i < vectors->GetNumberOfTuples(); ++i)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      const double a = parts[c]->GetValue(i);
+      const double b = vectors->GetComponent(i, c);
+      if (!(a == b || (std::isnan(a) && std::isnan(b))))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
 // Arrays by name. VTK would compare with every name.
 using ArraysByName = std::unordered_map<std::string, vtkAbstractArray*>;
 
@@ -97,6 +117,52 @@ vtkSmartPointer<vtkDoubleArray> JoinComponents(const ArraysByName& arrays, const
     });
   return array;
 }
+}
+
+//------------------------------------------------------------------------------
+std::array<std::string, 3> ComponentNames(const std::string& vector)
+{
+  for (const Vector& known : KnownVectors())
+  {
+    if (known.Name == vector)
+    {
+      return known.Components;
+    }
+  }
+  return { vector + "_0", vector + "_1", vector + "_2" };
+}
+
+//------------------------------------------------------------------------------
+bool IsMadeOfParts(vtkPointData* data, vtkDataArray* vectors)
+{
+  const std::string name = vectors->GetName() ? vectors->GetName() : "";
+  if (name.empty() || vectors->GetNumberOfComponents() != 3)
+  {
+    return false;
+  }
+  std::vector<Vector> candidates = KnownVectors();
+  for (const char* ending : { "_x", "_X", ":0", "_0" })
+  {
+    candidates.push_back(VectorOf(name + ending));
+  }
+  // Of several AddVectors() takes one, so all have to be the same.
+  bool any = false;
+  for (const Vector& candidate : candidates)
+  {
+    std::array<vtkDoubleArray*, 3> parts;
+    std::transform(candidate.Components.begin(), candidate.Components.end(), parts.begin(),
+      [data](const std::string& part)
+      { return vtkDoubleArray::FastDownCast(data->GetAbstractArray(part.c_str())); });
+    const bool there = candidate.Name == name &&
+      std::all_of(parts.begin(), parts.end(),
+        [](vtkDoubleArray* part) { return part && part->GetNumberOfComponents() == 1; });
+    if (there && !AreParts(parts, vectors))
+    {
+      return false;
+    }
+    any |= there;
+  }
+  return any;
 }
 
 //------------------------------------------------------------------------------

@@ -2,6 +2,10 @@
 #ifndef VectorArrays_h
 #define VectorArrays_h
 
+#include <array>
+#include <string>
+
+class vtkDataArray;
 class vtkPointData;
 
 namespace spherepacking
@@ -13,6 +17,13 @@ namespace spherepacking
  * components stay. A name that is taken is left alone.
  */
 void AddVectors(vtkPointData* data);
+
+/// The names of the components by which DEM programs and LAMMPS call a vector: vx, vy, vz of
+/// `velocity`, and so on; NAME_0, NAME_1, NAME_2 of others.
+std::array<std::string, 3> ComponentNames(const std::string& vector);
+
+/// Whether an array of vectors is what AddVectors() makes of others that are there.
+bool IsMadeOfParts(vtkPointData* data, vtkDataArray* vectors);
 }
 
 #endif

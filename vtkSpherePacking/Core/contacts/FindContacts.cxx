@@ -49,36 +49,38 @@ public:
     , Images(images)
     , Wraps(images.Any() ? static_cast<std::size_t>(spheres.Count) : 0)
     , Slack(AbsoluteSlack + this->Wrap(parallelFor))
-    , Levels(spheres.Count, [this](std::int64_t i) { return this->ReachOf(i); }, parallelFor)
+    , Levels(
+        spheres.Count, [this](std::int64_t i) { return this->Wrapped(i); },
+        0.5 * std::max(gap, 0.0) + this->Slack, parallelFor)
   {
     this->CheckImages();
   }
 
-  std::int64_t Count() const { return this->Spheres.Count; }
-
-  // Appends the contacts of the ball at a place with others of its level or coarser ones.
+  // Appends the contacts of the sphere at a place with others of its level or coarser ones.
   void Find(int level, std::int64_t at, std::vector<Contact>& contacts) const
   {
-    const Reach& ball = this->Levels[at];
+    const NumberedSphere& sphere = this->Levels[at];
     for (int other = level; other < this->Levels.LevelCount(); ++other)
     {
-      this->ForEachImage(ball, this->Levels.LargestReach(other),
+      const double largest = this->Levels.LargestRadius(other);
+      const double reach = sphere.Radius + std::max(this->Gap, 0.0) +
+        RelativeSlack * (largest + sphere.Radius + std::abs(this->Gap)) + this->Slack;
+      this->ForEachImage(sphere.Center, reach + largest,
         [&](const CellShift& shift)
         {
           // Within a level either of two would find the other: without a shift that at the earlier
           // place does, with a shift that of the smaller number.
           const bool same = level == other;
           const bool earlier = same && shift == None;
-          const Vector3 center = ball.Center - this->Images.Sum(shift);
-          this->Levels.ForEachNeighbor(other, center, ball.Radius, earlier ? at + 1 : 0,
-            [&](std::int64_t place)
+          this->Levels.ForEachNeighbor(other, sphere.Center - this->Images.Sum(shift), reach,
+            earlier ? at + 1 : 0,
+            [&](const NumberedSphere& neighbor)
             {
-              const Reach& neighbor = this->Levels[place];
               const bool twice =
-                same && !earlier && std::tie(ball.Id, None) >= std::tie(neighbor.Id, shift);
+                same && !earlier && std::tie(sphere.Id, None) >= std::tie(neighbor.Id, shift);
               if (!twice)
               {
-                this->Add(ball.Id, neighbor.Id, shift, contacts);
+                this->Add(sphere, neighbor, shift, contacts);
               }
             });
         });
@@ -142,18 +144,18 @@ private:
 
   CellShift WrapAt(std::int64_t i) const { return this->Wraps.empty() ? None : this->Wraps[i]; }
 
-  Reach ReachOf(std::int64_t i) const
+  NumberedSphere Wrapped(std::int64_t i) const
   {
     const Sphere s = this->Spheres[i];
-    const double reach = s.R + 0.5 * std::max(this->Gap, 0.0);
-    return { Vector3{ s.X, s.Y, s.Z } - this->Images.Sum(this->WrapAt(i)),
-      reach * (1.0 + RelativeSlack) + this->Slack, static_cast<std::int32_t>(i) };
+    return { Vector3{ s.X, s.Y, s.Z } - this->Images.Sum(this->WrapAt(i)), s.R,
+      static_cast<std::int32_t>(i) };
   }
 
   void CheckImages() const
   {
     const int levels = this->Levels.LevelCount();
-    const double reach = levels > 0 ? 2.0 * this->Levels.LargestReach(levels - 1) : 0.0;
+    const double reach =
+      std::max(this->Gap, 0.0) + (levels > 0 ? 2.0 * this->Levels.LargestRadius(levels - 1) : 0.0);
     double images = 1.0;
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -168,10 +170,9 @@ private:
     }
   }
 
-  // Calls visit(shift) for the shifts by which a ball of the cell may come within reach of this
-  // one.
+  // Calls visit(shift) for the shifts by which a centre in the cell may come so near to this one.
   template <typename Visit>
-  void ForEachImage(const Reach& ball, double largest, const Visit& visit) const
+  void ForEachImage(const Vector3& center, double distance, const Visit& visit) const
   {
     if (!this->Images.Any())
     {
@@ -182,8 +183,8 @@ private:
     std::int32_t high[3];
     for (int axis = 0; axis < 3; ++axis)
     {
-      const double fraction = this->Images.Fraction(ball.Center, axis);
-      const double reach = (ball.Radius + largest) * this->Images.DualLength(axis) + 1e-9;
+      const double fraction = this->Images.Fraction(center, axis);
+      const double reach = distance * this->Images.DualLength(axis) + 1e-9;
       low[axis] = static_cast<std::int32_t>(std::ceil(fraction - 1.0 - reach));
       high[axis] = static_cast<std::int32_t>(std::floor(fraction + reach));
       if (!this->Images.IsPeriodic(axis))
@@ -203,20 +204,28 @@ private:
     }
   }
 
-  // Adds the contact of spheres i and j, the latter moved by `shift` after both were wrapped, if it
-  // is one.
-  void Add(
-    std::int32_t i, std::int32_t j, const CellShift& shift, std::vector<Contact>& contacts) const
+  // Adds the contact of two spheres, the second moved by `shift` after both were wrapped, if it is
+  // one.
+  void Add(const NumberedSphere& a, const NumberedSphere& b, const CellShift& shift,
+    std::vector<Contact>& contacts) const
   {
-    CellShift whole = shift + this->WrapAt(i) - this->WrapAt(j);
-    if (i > j)
+    if (this->Wraps.empty())
     {
-      std::swap(i, j);
-      whole = None - whole;
+      // The very numbers of the packing, which lie far apart in its arrays.
+      if (GapOf(b.Center - a.Center, a.Radius, b.Radius) <= this->Gap)
+      {
+        contacts.push_back({ std::min(a.Id, b.Id), std::max(a.Id, b.Id), None });
+      }
+      return;
     }
-    if (GapOf(this->Spheres, i, j, this->Images.Sum(whole)) <= this->Gap)
+    Contact contact{ a.Id, b.Id, shift + this->WrapAt(a.Id) - this->WrapAt(b.Id) };
+    if (a.Id > b.Id)
     {
-      contacts.push_back({ i, j, whole });
+      contact = { b.Id, a.Id, None - contact.Shift };
+    }
+    if (GapOf(this->Spheres, contact.I, contact.J, this->Images.Sum(contact.Shift)) <= this->Gap)
+    {
+      contacts.push_back(contact);
     }
   }
 

@@ -7,6 +7,7 @@
 #include "base/SphereArrays.h"
 #include "contacts/PeriodicImages.h"
 
+#include <cstdint>
 #include <functional>
 
 namespace spherepacking
@@ -19,16 +20,21 @@ struct Contact
   CellShift Shift;
 };
 
-/// From the surface of sphere i to that of sphere j moved by `shift`: the distance of the centres,
-/// sqrt((dx dx + dy dy) + dz dz) with d = (j - i) + shift, less the sum of the radii, in double
-/// precision. Negative where the spheres overlap.
+/// From one surface to another, from the vector d between the centres: the distance
+/// sqrt((dx dx + dy dy) + dz dz) less the sum of the radii, in double precision. Negative where the
+/// spheres overlap.
+inline double GapOf(const Vector3& d, double radius, double otherRadius)
+{
+  return Length(d) - (radius + otherRadius);
+}
+
+/// The same of sphere i and sphere j moved by `shift`, d being (j - i) + shift.
 inline double GapOf(
   const SphereArrays& spheres, std::int32_t i, std::int32_t j, const Vector3& shift)
 {
   const Sphere a = spheres[i];
   const Sphere b = spheres[j];
-  const Vector3 d = Vector3{ b.X - a.X, b.Y - a.Y, b.Z - a.Z } + shift;
-  return Length(d) - (a.R + b.R);
+  return GapOf(Vector3{ b.X - a.X, b.Y - a.Y, b.Z - a.Z } + shift, a.R, b.R);
 }
 
 /// Contacts are looked for by `Parallel` pieces of work, which may say that nobody wants them any

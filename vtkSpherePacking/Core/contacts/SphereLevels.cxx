@@ -63,27 +63,28 @@ bool AreApart(const std::uint64_t (&strides)[3], std::uint64_t mask)
 }
 
 //------------------------------------------------------------------------------
-SphereLevels::SphereLevels(std::int64_t count, const std::function<Reach(std::int64_t)>& ball,
-  const ParallelFor& parallelFor)
+SphereLevels::SphereLevels(
+  std::int64_t count, const SphereAt& sphereAt, double padding, const ParallelFor& parallelFor)
+  : Padding(padding)
 {
   if (count > 0)
   {
-    this->FindFrame(count, ball);
-    this->MakeLevels(count, ball, parallelFor);
-    this->Sort(count, ball, parallelFor);
+    this->FindFrame(count, sphereAt);
+    this->MakeLevels(count, sphereAt, parallelFor);
+    this->Sort(count, sphereAt, parallelFor);
   }
 }
 
 //------------------------------------------------------------------------------
-// The middle and the width of most balls, from some of them: a few may be anywhere.
-void SphereLevels::FindFrame(std::int64_t count, const std::function<Reach(std::int64_t)>& ball)
+// The middle and the width of most spheres, from some of them: a few may be anywhere.
+void SphereLevels::FindFrame(std::int64_t count, const SphereAt& sphereAt)
 {
   constexpr std::int64_t most = 4096;
   const std::int64_t step = std::max<std::int64_t>(1, count / most);
   std::array<std::vector<double>, 3> samples;
   for (std::int64_t i = 0; i < count; i += step)
   {
-    const Reach sample = ball(i);
+    const NumberedSphere sample = sphereAt(i);
     for (int axis = 0; axis < 3; ++axis)
     {
       samples[axis].push_back(sample.Center[axis]);
@@ -98,22 +99,22 @@ void SphereLevels::FindFrame(std::int64_t count, const std::function<Reach(std::
     this->Middle[axis] = values[values.size() / 2];
     width = std::max(width, values[values.size() - 1 - tenth] - values[tenth]);
   }
-  // Balls of no reach would have cells of no width. These are narrower than what tells coordinates
-  // apart that differ by much.
+  // Spheres of no reach would have cells of no width. These are narrower than what tells
+  // coordinates apart that differ by much.
   this->Least = std::max(std::ldexp(width, -40), 1e-150);
   this->LeastExponent = ExponentOf(this->Least);
 }
 
 //------------------------------------------------------------------------------
-int SphereLevels::LevelOf(double reach) const
+int SphereLevels::LevelOf(double radius) const
 {
-  const int exponent = ExponentOf(std::max(reach, this->Least));
+  const int exponent = ExponentOf(std::max(radius + this->Padding, this->Least));
   return std::clamp(exponent - this->LeastExponent, 0, MostLevels - 1);
 }
 
 //------------------------------------------------------------------------------
-void SphereLevels::MakeLevels(std::int64_t count, const std::function<Reach(std::int64_t)>& ball,
-  const ParallelFor& parallelFor)
+void SphereLevels::MakeLevels(
+  std::int64_t count, const SphereAt& sphereAt, const ParallelFor& parallelFor)
 {
   struct Extent
   {
@@ -141,7 +142,7 @@ void SphereLevels::MakeLevels(std::int64_t count, const std::function<Reach(std:
     {
       for (std::int64_t i = k * part; i < std::min((k + 1) * part, count); ++i)
       {
-        const Reach one = ball(i);
+        const NumberedSphere one = sphereAt(i);
         const Vector3& c = one.Center;
         parts[k][this->LevelOf(one.Radius)].Add(
           { 1, one.Radius, { c.X, c.Y, c.Z }, { c.X, c.Y, c.Z } });
@@ -162,8 +163,9 @@ void SphereLevels::MakeLevels(std::int64_t count, const std::function<Reach(std:
       continue;
     }
     Level level;
-    level.Largest = std::max(extent.Largest, this->Least);
-    level.PerCell = 1.0 / (2.0 * CellMargin * level.Largest);
+    level.Largest = extent.Largest;
+    level.PerCell =
+      1.0 / (2.0 * CellMargin * std::max(extent.Largest + this->Padding, this->Least));
     for (int axis = 0; axis < 3; ++axis)
     {
       level.Low[axis] = this->CellOf(level, extent.Low[axis], axis);
@@ -179,12 +181,12 @@ void SphereLevels::MakeLevels(std::int64_t count, const std::function<Reach(std:
     this->Levels.push_back(level);
   }
   this->Starts = HugeArray<std::uint32_t>(places);
-  this->Balls = HugeArray<Reach>(count);
+  this->Spheres = HugeArray<NumberedSphere>(count);
 }
 
 //------------------------------------------------------------------------------
-// A place for every cell where they are not many more than the balls, in rows along x. Otherwise
-// rows begin anywhere in the table and share its places: balls of other cells are no neighbours.
+// A place for every cell where they are not many more than the spheres, in rows along x. Otherwise
+// rows begin anywhere in the table and share its places: spheres of other cells are no neighbours.
 void SphereLevels::ChoosePlaces(Level& level) const
 {
   const double most = 4.0 * static_cast<double>(level.End - level.Begin) + 1024.0;
@@ -222,8 +224,8 @@ void SphereLevels::ChoosePlaces(Level& level) const
 }
 
 //------------------------------------------------------------------------------
-void SphereLevels::Sort(std::int64_t count, const std::function<Reach(std::int64_t)>& ball,
-  const ParallelFor& parallelFor)
+void SphereLevels::Sort(
+  std::int64_t count, const SphereAt& sphereAt, const ParallelFor& parallelFor)
 {
   const std::int64_t places = static_cast<std::int64_t>(this->Starts.size());
   std::unique_ptr<std::atomic<std::uint32_t>[]> counts(new std::atomic<std::uint32_t>[places]());
@@ -231,7 +233,7 @@ void SphereLevels::Sort(std::int64_t count, const std::function<Reach(std::int64
   ForEach(count, parallelFor,
     [&](std::int64_t i)
     {
-      const Reach one = ball(i);
+      const NumberedSphere one = sphereAt(i);
       const Level& level = this->Levels[this->Numbers[this->LevelOf(one.Radius)]];
       const std::int64_t place = level.FirstPlace +
         static_cast<std::int64_t>(this->PlaceOf(level, this->CellOf(level, one.Center.X, 0),
@@ -251,7 +253,7 @@ void SphereLevels::Sort(std::int64_t count, const std::function<Reach(std::int64
     {
       const std::int64_t place = placeOf[i];
       const std::uint32_t before = counts[place].fetch_sub(1, std::memory_order_relaxed);
-      this->Balls[this->Starts[place] + before - 1] = ball(i);
+      this->Spheres[this->Starts[place] + before - 1] = sphereAt(i);
     });
 }
 }

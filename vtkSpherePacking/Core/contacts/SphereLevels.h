@@ -14,9 +14,8 @@
 
 namespace spherepacking
 {
-/// A ball around a centre. Two of them are neighbours if their centres are no farther apart than
-/// their reaches together.
-struct Reach
+/// A sphere with its number in the packing.
+struct NumberedSphere
 {
   Vector3 Center;
   double Radius;
@@ -24,38 +23,43 @@ struct Reach
 };
 
 /**
- * A grid of cells for every order of magnitude of the reaches, to find neighbours among spheres of
+ * A grid of cells for every order of magnitude of the radii, to find neighbours among spheres of
  * very different sizes (H. Mio et al., "Cell optimization for fast contact detection in the
  * discrete element method algorithm", 2007; V. Ogarko and S. Luding, "A fast multilevel algorithm
  * for contact detection of arbitrarily polydisperse objects", 2012).
  *
- * A ball lies in the cell of its centre, in the level whose cells are as wide as two of the largest
- * reaches there: whatever the sizes, the neighbours in a level are found in at most three cells
- * along each axis, and no more balls lie there than a few times those that are neighbours of each
- * other. Cells are numbered from the middle of most balls, and stored in a table of about twice as
- * many places as balls, so that neither empty space nor a few balls far away cost anything.
+ * A sphere lies in the cell of its centre, in the level whose cells are as wide as two of the
+ * largest reaches there; a reach is a radius and the padding. Whatever the sizes, the neighbours in
+ * a level are found in at most three cells along each axis, and no more spheres lie there than a
+ * few times those that are neighbours of each other. Cells are numbered from the middle of most
+ * spheres, and stored in a table of about twice as many places as spheres, so that neither empty
+ * space nor a few spheres far away cost anything.
  */
 class SphereLevels
 {
 public:
-  /// `ball` gives the balls by number.
-  SphereLevels(std::int64_t count, const std::function<Reach(std::int64_t)>& ball,
-    const ParallelFor& parallelFor);
+  using SphereAt = std::function<NumberedSphere(std::int64_t)>;
+
+  /// `padding` is half of the gap that neighbours may have, or more.
+  SphereLevels(
+    std::int64_t count, const SphereAt& sphereAt, double padding, const ParallelFor& parallelFor);
 
   int LevelCount() const { return static_cast<int>(this->Levels.size()); }
 
-  /// The balls of a level, those of the finest first; the end of one is the begin of the next.
+  /// The places of the spheres of a level, those of the finest first; the end of one is the begin
+  /// of the next.
   std::int64_t Begin(int level) const { return this->Levels[level].Begin; }
   std::int64_t End(int level) const { return this->Levels[level].End; }
 
-  /// The largest reach of a level.
-  double LargestReach(int level) const { return this->Levels[level].Largest; }
+  /// The largest radius of a level.
+  double LargestRadius(int level) const { return this->Levels[level].Largest; }
 
-  const Reach& operator[](std::int64_t at) const { return this->Balls[at]; }
+  const NumberedSphere& operator[](std::int64_t at) const { return this->Spheres[at]; }
 
-  /// Calls visit(at) for every ball of a level, from place `first` on, that is a neighbour of a
-  /// ball no larger than those of the level, but for rounding, and for no ball twice. The caller's
-  /// exact test comes after.
+  /// Calls visit(sphere) for every sphere of a level, from place `first` on, whose surface is no
+  /// farther than `reach` from the point, but for rounding, and for none twice. The reach is at
+  /// most the largest radius of the level and twice the padding. The caller's exact test comes
+  /// after.
   template <typename Visit>
   void ForEachNeighbor(
     int level, const Vector3& center, double reach, std::int64_t first, const Visit& visit) const;
@@ -63,7 +67,7 @@ public:
 private:
   struct Level
   {
-    double Largest = 0.0;
+    double Largest = 0.0; // radius
     double PerCell = 1.0; // cells per length
     std::int64_t Low[3] = { 0, 0, 0 };
     std::int64_t High[3] = { 0, 0, 0 };
@@ -75,13 +79,11 @@ private:
     std::uint64_t Places = 0;
   };
 
-  void FindFrame(std::int64_t count, const std::function<Reach(std::int64_t)>& ball);
-  int LevelOf(double reach) const;
-  void MakeLevels(std::int64_t count, const std::function<Reach(std::int64_t)>& ball,
-    const ParallelFor& parallelFor);
+  void FindFrame(std::int64_t count, const SphereAt& sphereAt);
+  int LevelOf(double radius) const;
+  void MakeLevels(std::int64_t count, const SphereAt& sphereAt, const ParallelFor& parallelFor);
   void ChoosePlaces(Level& level) const;
-  void Sort(std::int64_t count, const std::function<Reach(std::int64_t)>& ball,
-    const ParallelFor& parallelFor);
+  void Sort(std::int64_t count, const SphereAt& sphereAt, const ParallelFor& parallelFor);
 
   // The cell of a coordinate. It never decreases as the coordinate grows, rounding included, so
   // that what lies between two coordinates lies between their cells.
@@ -105,13 +107,14 @@ private:
     return this->Starts[static_cast<std::size_t>(level.FirstPlace) + place];
   }
 
+  double Padding;
   double Middle[3];
   double Least;             // smaller reaches count as this
   int LeastExponent;        // of it
   std::vector<int> Numbers; // of the levels by exponent, -1 for none
   std::vector<Level> Levels;
   HugeArray<std::uint32_t> Starts;
-  HugeArray<Reach> Balls;
+  HugeArray<NumberedSphere> Spheres;
 };
 
 //------------------------------------------------------------------------------
@@ -137,12 +140,12 @@ void SphereLevels::ForEachNeighbor(
     const std::int64_t last = this->StartOf(level, end);
     for (std::int64_t at = std::max(first, this->StartOf(level, begin)); at < last; ++at)
     {
-      const Reach& ball = this->Balls[at];
-      const Vector3 d = ball.Center - center;
-      const double sum = ball.Radius + reach;
+      const NumberedSphere& sphere = this->Spheres[at];
+      const Vector3 d = sphere.Center - center;
+      const double sum = sphere.Radius + reach;
       if (Dot(d, d) <= sum * sum)
       {
-        visit(at);
+        visit(sphere);
       }
     }
   };

@@ -52,11 +52,13 @@ void RefuseAtomsWithoutRadii(const std::string& file, const TextRange& head)
   const auto found =
     formats.find(SystemTools::LowerCase(SystemTools::GetFilenameLastExtension(file)));
   LineScanner scanner(head);
-  const bool any = scanner.Next();
-  const std::string what = found != formats.end()                      ? found->second
-    : any && scanner.Line().substr(0, 5) == "data_"                    ? Cif
-    : any && GuessFixedForm(head) == Format::Pqr && LooksLikePdb(head) ? Pdb
-                                                                       : "";
+  // The name of a block stands alone, unlike that of a column.
+  const bool isCif =
+    scanner.Next() && scanner.Line().substr(0, 5) == "data_" && scanner.Fields().size() == 1;
+  const std::string what = found != formats.end()               ? found->second
+    : isCif                                                     ? Cif
+    : GuessFixedForm(head) == Format::Pqr && LooksLikePdb(head) ? Pdb
+                                                                : "";
   if (what.empty())
   {
     return;

@@ -133,12 +133,14 @@ bool IsMedialAxis(const TextRange& head)
     std::all_of(fields.begin() + 1, fields.end(), [&](auto f) { return ParseFinite(f, value); });
 }
 
-// By two rows at least, all of seven numbers, of which the last is -1 at first, and then -1 or the
-// id in the first column of a row before. A comment that names the columns is for the tables.
+// By two rows at least, all of seven numbers, of which the last is -1 at first, and then -1 or an
+// id in the first column. Most parents come before, but in a long file some may lie beyond the
+// head.
 bool IsSwc(const TextRange& head)
 {
   LineScanner scanner(head);
   std::unordered_set<vtkIdType> ids;
+  std::vector<vtkIdType> parents;
   while (scanner.Next())
   {
     const auto fields = scanner.Fields();
@@ -146,13 +148,17 @@ bool IsSwc(const TextRange& head)
     vtkIdType type;
     vtkIdType parent;
     if (fields.size() != 7 || !ParseInteger(fields[0], id) || !ParseInteger(fields[1], type) ||
-      !ParseInteger(fields[6], parent) || id < 0 || (parent != -1 && !ids.count(parent)) ||
-      !ids.insert(id).second)
+      !ParseInteger(fields[6], parent) || id < 0 || parent < -1 ||
+      (parents.empty() && parent != -1))
     {
       return false;
     }
+    ids.insert(id);
+    parents.push_back(parent);
   }
-  return ids.size() >= 2;
+  const auto known = std::count_if(parents.begin(), parents.end(),
+    [&](vtkIdType parent) { return parent == -1 || ids.count(parent) > 0; });
+  return parents.size() >= 2 && 10 * known >= 9 * static_cast<std::ptrdiff_t>(parents.size());
 }
 
 bool NamesColumns(const TextRange& head)

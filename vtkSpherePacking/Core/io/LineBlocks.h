@@ -43,11 +43,11 @@ public:
 
   /// How many lines of the file end before `offset`. Takes as long as it takes to read them, so it
   /// is for errors.
-  vtkIdType LinesBefore(unsigned long long offset);
+  vtkIdType LinesBefore(unsigned long long offset) const;
 
   /// Returns work(), and adds the lines before the current block to a LineError that leaves it.
   template <typename Work>
-  auto AddLines(const Work& work)
+  auto AddLines(const Work& work) const
   {
     try
     {
@@ -62,7 +62,7 @@ public:
 private:
   void Load();
 
-  FileRanges Ranges;
+  std::string File;
   unsigned long long RangeEnd;
   unsigned long long Offset = 0; // of the block
   unsigned long long NextOffset;

@@ -35,6 +35,7 @@ public:
     }
     const char* const end = this->Find(this->Next);
     this->Current = std::string_view(this->Next, end - this->Next);
+    this->HasNoLineEnd = end == this->End;
     this->Next = SkipLineEnd(end, this->End);
     ++this->NextNumber;
     return true;
@@ -53,6 +54,9 @@ public:
   /// The current line without its end, and its number.
   std::string_view Line() const { return this->Current; }
   vtkIdType Number() const { return this->NextNumber - 1; }
+
+  /// Whether the current line ends with the text rather than with a line end.
+  bool EndsWithText() const { return this->HasNoLineEnd; }
 
   /// The lines after the current one.
   TextRange Rest() const { return { this->Next, this->End, this->NextNumber }; }
@@ -107,6 +111,7 @@ private:
   const char* Next;
   vtkIdType NextNumber;
   std::string_view Current;
+  bool HasNoLineEnd = false;
 };
 }
 

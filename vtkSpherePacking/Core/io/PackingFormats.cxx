@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/PackingFormats.h"
 
+#include "io/EsysSnapshot.h"
 #include "io/FileBytes.h"
 #include "io/LammpsDataFile.h"
 #include "io/LineCursor.h"
@@ -78,10 +79,23 @@ bool BeginsAsXyz(const char* begin, const char* end, const Accepts& accepts)
   return XyzCount(lines.Line()) && lines.Step() && accepts(lines.Line());
 }
 
+// Whether a text begins as LAMMPS's dump yaml.
+bool BeginsAsYamlDump(const char* begin, const char* end)
+{
+  LineCursor lines({ begin, end });
+  return lines.Step() && BeginsWith(lines.Line(), "---") && lines.Step() &&
+    BeginsWith(lines.Line(), "creator: LAMMPS");
+}
+
 // Detects the formats of simulation programs by lines that no table begins with.
 Format FormatOfProgram(const std::string& file, const char* begin, const char* end)
 {
   begin = SkipUtf8Mark(begin, end);
+  if (BeginsAsYamlDump(begin, end))
+  {
+    ThrowInFile(file,
+      LineError(1, "found a dump of LAMMPS in YAML, expected one in text, as dump custom writes"));
+  }
   using vtksys::SystemTools;
   const std::string extension = SystemTools::LowerCase(SystemTools::GetFilenameLastExtension(file));
   const bool isXyz = extension == ".xyz" || extension == ".extxyz" || extension == ".exyz";
@@ -90,6 +104,7 @@ Format FormatOfProgram(const std::string& file, const char* begin, const char* e
   return BeginsAsXyz(begin, end, hasProperties) ? Format::Xyz
     : BeginsAsLammpsData(begin, end)            ? Format::LammpsData
     : BeginsAsMercury(begin, end)               ? Format::Mercury
+    : BeginsAsEsysSnapshot(begin, end)          ? Format::EsysSnapshot
                                                 : Format::Spheres;
 }
 }

@@ -32,7 +32,8 @@ enum class Format
   GenGeo,
   MedialAxis,
   Kratos,
-  PackLsd
+  PackLsd,
+  EsysSnapshot
 };
 
 /// How to read a file.
@@ -65,6 +66,8 @@ PackingArrays ReadMedialAxis(
   const std::string& file, const ReadOptions& options, Progress& progress);
 PackingArrays ReadKratos(const std::string& file, const ReadOptions& options, Progress& progress);
 PackingArrays ReadPackLsd(const std::string& file, const ReadOptions& options, Progress& progress);
+PackingArrays ReadEsysSnapshot(
+  const std::string& file, const ReadOptions& options, Progress& progress);
 PackingArrays ReadXyzd(const std::string& file, const ReadOptions& options, Progress& progress);
 
 PackingArrays ReadLammpsData(

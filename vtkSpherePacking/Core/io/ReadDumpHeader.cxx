@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/DumpFile.h"
 
+#include "io/DumpBox.h"
 #include "io/LineCursor.h"
 #include "io/PackingFileError.h"
 
@@ -66,7 +67,15 @@ public:
   }
 
 private:
-  void Step(const std::string& expected) { this->Lines.StepInto("the step", expected); }
+  void Step(const std::string& expected)
+  {
+    this->Lines.StepInto("the step", expected);
+    if (this->Lines.EndsWithText())
+    {
+      throw LineError(this->Lines.Number(),
+        "found the end of the file within " + this->Lines.Quoted() + ", expected " + expected);
+    }
+  }
 
   // Whether a box is periodic along each axis: the title of most ends with flags such as pp, ff
   // or fs, a letter for each face, of which p is periodic.
@@ -83,15 +92,12 @@ private:
     return periodic;
   }
 
-  // "lo hi" a line, with "xy", "xz", "yz" as third numbers when tilted, in which case lo and hi
-  // bound the tilted box (LAMMPS manual, "Triclinic simulation boxes"), or "ax ay az origin" for
-  // a general triclinic box.
   void ReadBox()
   {
     const std::string expected = "2 to 4 numbers that bound the box";
     SimulationCell& cell = this->Header.Cell.emplace();
     cell.Periodic = Periodicity(this->Lines.Fields());
-    std::array<std::vector<double>, 3> rows;
+    BoxRows rows;
     for (auto& row : rows)
     {
       this->Step(expected);
@@ -101,31 +107,7 @@ private:
         this->Lines.Refuse(expected);
       }
     }
-    if (rows[0].size() == 4)
-    {
-      for (int i = 0; i < 3; ++i)
-      {
-        std::copy_n(rows[i].begin(), 3, cell.Vectors[i]);
-        cell.Origin[i] = rows[i][3];
-      }
-      return;
-    }
-    const bool tilted = rows[0].size() == 3;
-    const double xy = tilted ? rows[0][2] : 0.0;
-    const double xz = tilted ? rows[1][2] : 0.0;
-    const double yz = tilted ? rows[2][2] : 0.0;
-    rows[0][0] -= std::min({ 0.0, xy, xz, xy + xz });
-    rows[0][1] -= std::max({ 0.0, xy, xz, xy + xz });
-    rows[1][0] -= std::min(0.0, yz);
-    rows[1][1] -= std::max(0.0, yz);
-    for (int i = 0; i < 3; ++i)
-    {
-      cell.Origin[i] = rows[i][0];
-      cell.Vectors[i][i] = rows[i][1] - rows[i][0];
-    }
-    cell.Vectors[1][0] = xy;
-    cell.Vectors[2][0] = xz;
-    cell.Vectors[2][1] = yz;
+    SetCellOfBox(rows, cell);
   }
 
   // Sets the columns from the ITEM: ATOMS line. Coordinates may be plain (x), unwrapped (xu),

@@ -4,6 +4,7 @@
 #include "io/PackingFileError.h"
 #include "io/PackingFormats.h"
 #include "io/StepRows.h"
+#include "io/TextTable.h"
 #include "io/TimeSteps.h"
 #include "io/XyzComment.h"
 
@@ -230,11 +231,17 @@ PackingArrays ParseXyz(
   while (!HasHead(blocks.Text()) && blocks.Grow())
   {
   }
+  // People write files of one frame, too, and may leave out the last line end.
+  const bool mustEndLines = step.Begin > 0;
   TableLayout layout;
   std::optional<SimulationCell> cell;
   const FrameHead head = blocks.AddLines(
     [&]
     {
+      if (mustEndLines && blocks.IsLast())
+      {
+        CheckNotCut(blocks.Text());
+      }
       const FrameHead found = ReadHead(blocks.Text());
       try
       {
@@ -247,7 +254,8 @@ PackingArrays ParseXyz(
       }
       return found;
     });
-  const StepRows rows{ head.Lines.Rest().Begin, head.Count, head.CountLine, "atoms" };
+  StepRows rows{ head.Lines.Rest().Begin, head.Count, head.CountLine, "atoms" };
+  rows.MustEndLines = mustEndLines;
   PackingArrays arrays = ReadStepRows(blocks, rows, layout, options, progress);
   if (cell)
   {

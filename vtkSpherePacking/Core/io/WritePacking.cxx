@@ -4,14 +4,14 @@
 #include "io/AtomicFile.h"
 #include "io/Number.h"
 #include "io/PackingFileError.h"
-#include "io/TableLayout.h"
+#include "io/WriteHeader.h"
+#include "io/WrittenColumns.h"
 
 #include "vtkByteSwap.h"
 #include "vtkDataArray.h"
 #include "vtkErrorCode.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkStringArray.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,85 +21,6 @@ namespace spherepacking
 {
 namespace
 {
-/// A column of the file: a component of an array.
-struct WrittenColumn
-{
-  vtkDataArray* Array;
-  int Component;
-  std::string Name;
-};
-
-// A name as a field of a CSV header.
-std::string CsvField(const std::string& name)
-{
-  if (name.find_first_of(",;\t\"\r\n") == std::string::npos)
-  {
-    return name;
-  }
-  throw ContentError("the point array " + Quote(name.data(), name.data() + name.size()) +
-    " has a separator, a quote or a line end in its name, expected none, since it goes into the "
-    "header of a CSV file");
-}
-
-// The centre, the radius and the point arrays that the format can hold.
-std::vector<WrittenColumn> ChooseColumns(const WriteOptions& options)
-{
-  vtkDataArray* centers = options.Packing->GetPoints()->GetData();
-  std::vector<WrittenColumn> columns{ { centers, 0, "x" }, { centers, 1, "y" }, { centers, 2, "z" },
-    { options.Radii, 0, options.Kind == Format::Csv ? "radius" : "r" } };
-  vtkPointData* data = options.Packing->GetPointData();
-  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
-  {
-    vtkDataArray* array = data->GetArray(i);
-    if (!array || array == options.Radii || !array->GetName())
-    {
-      continue;
-    }
-    const std::string name = array->GetName();
-    const int components = array->GetNumberOfComponents();
-    if (options.Kind == Format::Yade && name == "matId" && components == 1)
-    {
-      columns.push_back({ array, 0, name });
-    }
-    for (int c = 0; options.Kind == Format::Csv && c < components; ++c)
-    {
-      columns.push_back(
-        { array, c, CsvField(components == 1 ? name : name + "_" + std::to_string(c)) });
-    }
-  }
-  return columns;
-}
-
-// Throws if the reader would take the name of an array for another column, or for the same twice.
-void CheckNames(const std::vector<WrittenColumn>& columns)
-{
-  std::vector<std::string_view> names;
-  for (const WrittenColumn& column : columns)
-  {
-    names.emplace_back(column.Name);
-  }
-  std::string complaint;
-  if (!ColumnsFromNames(names, complaint) || !complaint.empty())
-  {
-    throw ContentError(complaint);
-  }
-}
-
-std::string Header(const WriteOptions& options, const std::vector<WrittenColumn>& columns)
-{
-  if (options.Kind != Format::Csv && options.Kind != Format::Yade)
-  {
-    return {};
-  }
-  const bool csv = options.Kind == Format::Csv;
-  std::string text = csv ? "" : "#format ";
-  for (const WrittenColumn& column : columns)
-  {
-    text += (&column == &columns.front() ? "" : csv ? "," : "_") + column.Name;
-  }
-  return text + '\n';
-}
-
 // The order of the spheres in the file; empty if that is the order of the points.
 std::vector<vtkIdType> LargestFirst(const WriteOptions& options)
 {
@@ -121,52 +42,61 @@ std::vector<vtkIdType> LargestFirst(const WriteOptions& options)
 }
 
 void AppendText(
-  std::string& text, const std::vector<WrittenColumn>& columns, vtkIdType sphere, char separator)
+  std::string& text, const std::vector<WrittenArray>& arrays, vtkIdType sphere, char separator)
 {
-  char number[MaximumNumberLength + 1];
-  for (const WrittenColumn& column : columns)
+  char number[MaximumNumberLength];
+  for (const WrittenArray& array : arrays)
   {
-    char* end = WriteNumber(number, column.Array->GetComponent(sphere, column.Component));
-    *end = &column == &columns.back() ? '\n' : separator;
-    text.append(number, end + 1);
+    const int columns = static_cast<int>(array.Columns.size());
+    for (int c = 0; c < columns; ++c)
+    {
+      if (array.Texts)
+      {
+        text += array.Texts->GetValue(sphere * columns + c);
+      }
+      else
+      {
+        text.append(number, WriteNumber(number, array.Numbers->GetComponent(sphere, c)));
+      }
+      text += separator;
+    }
   }
+  text.back() = '\n';
 }
 
-void AppendBytes(std::string& bytes, const std::vector<WrittenColumn>& columns, vtkIdType sphere)
+void AppendBytes(std::string& bytes, const WriteOptions& options, vtkIdType sphere)
 {
   double values[4];
-  for (int i = 0; i < 4; ++i)
-  {
-    values[i] = columns[i].Array->GetComponent(sphere, columns[i].Component);
-  }
-  values[3] *= 2.0;
+  options.Packing->GetPoint(sphere, values);
+  const double radius = options.Radii->GetComponent(sphere, 0);
+  values[3] = 2.0 * radius;
   if (!std::isfinite(values[3]))
   {
-    throw ContentError("found the radius " + NumberText(columns[3].Array->GetComponent(sphere, 0)) +
-      " at point " + std::to_string(sphere) + ", expected one whose diameter is finite");
+    throw ContentError("found the radius " + NumberText(radius) + " at point " +
+      std::to_string(sphere) + ", expected one whose diameter is finite");
   }
   vtkByteSwap::SwapLERange(values, 4);
   bytes.append(reinterpret_cast<const char*>(values), sizeof(values));
 }
 
 // Writes the header and all spheres into `file`, a batch at a time.
-void WriteSpheres(const WriteOptions& options, const std::vector<WrittenColumn>& columns,
+void WriteSpheres(const WriteOptions& options, const std::vector<WrittenArray>& arrays,
   AtomicFile& file, Progress& progress)
 {
   const std::vector<vtkIdType> order = LargestFirst(options);
   const vtkIdType count = options.Packing->GetNumberOfPoints();
-  std::string buffer = Header(options, columns);
+  std::string buffer = HeaderOf(options, arrays);
   constexpr vtkIdType batch = 1 << 14;
   for (vtkIdType i = 0; i < count; ++i)
   {
     const vtkIdType sphere = order.empty() ? i : order[i];
     if (options.Kind == Format::Xyzd)
     {
-      AppendBytes(buffer, columns, sphere);
+      AppendBytes(buffer, options, sphere);
     }
     else
     {
-      AppendText(buffer, columns, sphere, options.Kind == Format::Csv ? ',' : ' ');
+      AppendText(buffer, arrays, sphere, options.Kind == Format::Csv ? ',' : ' ');
     }
     if ((i + 1) % batch == 0 || i + 1 == count)
     {
@@ -199,10 +129,9 @@ void WritePacking(const std::string& file, const WriteOptions& options, Progress
   }
   const auto write = [&]
   {
-    const std::vector<WrittenColumn> columns = ChooseColumns(options);
-    CheckNames(columns);
+    const std::vector<WrittenArray> arrays = ChooseArrays(options);
     AtomicFile target(file);
-    WriteSpheres(options, columns, target, progress);
+    WriteSpheres(options, arrays, target, progress);
     target.Commit();
   };
   WithFileName(file, write);

@@ -121,16 +121,14 @@ std::optional<std::string> XyzComment::Find(std::string_view key) const
 }
 
 //------------------------------------------------------------------------------
-std::optional<double> XyzComment::Time() const
+std::array<std::optional<double>, 3> XyzComment::Times() const
 {
-  for (const char* key : { "time", "timestep", "step" })
+  const auto number = [this](std::string_view key)
   {
-    if (const auto value = this->Find(key))
-    {
-      return NumberOf(*value);
-    }
-  }
-  return std::nullopt;
+    const auto value = this->Find(key);
+    return value ? NumberOf(*value) : std::nullopt;
+  };
+  return { number("time"), number("timestep"), number("step") };
 }
 
 //------------------------------------------------------------------------------

@@ -6,6 +6,7 @@
 
 #include "vtkType.h"
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -29,8 +30,8 @@ public:
   /// What `Properties` says of the columns: NAME:TYPE:COUNT:NAME:TYPE:COUNT and so on.
   std::optional<std::string> Properties() const { return this->Find("properties"); }
 
-  /// The time, or else the number of the time step.
-  std::optional<double> Time() const;
+  /// The values of `Time`, `Timestep` and `Step`.
+  std::array<std::optional<double>, 3> Times() const;
 
   /// `Lattice`, the vectors a, b, c; periodic along all unless `pbc` says otherwise. Throws a
   /// ContentError if any is not as it should be.
