@@ -47,7 +47,7 @@ READ = {
     "a comment for each column": "# column 1: id\n# column 2: x\n# column 3: y\n# column 4: z\n"
     "# column 5: radius\n" + FIVE,
     "a comment for each column, by number": "# 1 id\n# 2 x\n# 3 y\n# 4 z\n# 5 radius [mm]\n" + FIVE,
-    "a comment for each column, and others": "# made today by hand\n# id\n# x: in mm\n# y\n# z\n# radius\n"
+    "a comment for each column, and others": "# made by hand\n# id\n# x: in mm\n# y\n# z\n# r\n"
     + FIVE,
     "the names of IMD": "#F A 1 0 0 3 0 1\n#C number x y z Radius\n#E\n" + FIVE,
     "the program's #format": "#format id_x_y_z_r\n# id x y z d\n" + FIVE,
@@ -57,6 +57,8 @@ READ = {
     "first four names, fewer columns": "# x y z r and vx vy vz\n"
     + FOUR.replace("0.75", "0.75 7").replace("0.5\n", "0.5 9\n"),
     "a sentence over four columns": "# the centres x, y, z and radii r of two\n" + FOUR,
+    "a sentence before the names": "# 2 spheres: x y z r\n" + FOUR,
+    "whole x, y and z": "# spheres: x y z r\n1 0 0 0.5\n2 0 0 0.5\n3 0 0 0.5\n",
     "a whole x in every row of four": "1 0 0 0.5\n2 0 0 0.5\n3 0 0 0.5\n",
     "no blank before the unit": "x(mm) y(mm) z(mm) r(mm)\n" + FOUR,
     "another sign of a comment": "//X Y Z Radius\n" + FOUR,
@@ -66,7 +68,7 @@ READ = {
 @pytest.mark.parametrize("case", READ, ids=[case.replace(" ", "-") for case in READ])
 def test_the_columns_are_certain(read_text, case):
     found = spheres(read_text(READ[case], "p.csv" if "," in READ[case][:12] else "p.txt"))
-    if case.startswith("a whole"):
+    if "whole" in case:
         assert found == [[1, 0, 0, 0.5], [2, 0, 0, 0.5], [3, 0, 0, 0.5]]
     else:
         assert found == [FIRST, LAST]
@@ -89,6 +91,12 @@ REFUSED = {
     "ids from 0 of whole numbers": ("0 1 2 3 4\n1 4 5 6 7\n", 1, "ids"),
     "ids, a volume": ("1 0.5 0.5 0.5 0.94 0.4\n3 0.1 0.1 0.1 0.058 0.05\n", 1, "ids"),
     "kinds": ("1 0.5 0.5 0.5 0.4\n1 0.1 0.1 0.1 0.05\n", 1, "ids"),
+    "ids with a point": (
+        "".join(f"{i}.00e+00 {i * i % 7}.5 2 3 0.5\n" for i in (3, 2, 1, 8, 7, 6, 5, 4)),
+        1,
+        "numbers of the rows",
+    ),
+    "ids over four columns": ("# of spheres x y z r\n1 2.5 3 4\n2 3.5 4 5\n", 2, "ids"),
     "red": ("X,Y,Z,R,G,B\n0.5,0,0,255,0,0\n", 1, "'R', which is red"),
     "red in a comment": ("# x y z r g b\n0.5 0 0 255 0 0\n", 1, "'r', which is red"),
     "red over four columns": ("# x y z r g b\n0.5 0 0 255\n", 1, "'r', which is red"),
@@ -96,6 +104,9 @@ REFUSED = {
     "a distance": ("x,y,z,r,theta,phi\n1,0,0,1,1.57,0\n", 1, "angles theta and phi"),
     "two places": ("pos_x,pos_y,pos_z,cx,cy,cz,r\n1,2,3,4,5,6,7\n", 1, "'pos_x' and 'cx'"),
     "two units": ("x [m],y [m],z [m],r [mm]\n1,2,3,4\n", 1, "units of 'x [m]' and 'r [mm]'"),
+    "two units behind names": ("# x mm y mm z mm r um\n" + FOUR, 1, "found"),
+    "two units in brackets": ("# x [mm] y [mm] z [mm] r [um]\n" + FOUR, 1, "found"),
+    "two units joined": ("x_mm y_mm z_mm r_um\n" + FOUR, 1, "found"),
     "two short names": ("x y z r rad\n1 2 3 4 5\n", 1, "'r' and 'rad'"),
     "two full names": ("x y z radius Radius\n1 2 3 4 5\n", 1, "'radius' and 'Radius'"),
     "prose": ("Spheres of a run\nwritten by hand\n" + FOUR, 1, "'Spheres of a run', which is"),
@@ -244,8 +255,10 @@ def test_whole_numbers_at_both_ends_of_xyzr(refused):
         "-1 0 0 0.5 7.5\n0 0 0 0.5 8\n1 0 0 0.5 9\n",
         "1.0 0.5 0 0.5 7\n2.0 0.5 0 0.5 8\n",
         "1 0.5 0 0.5 7\n2e0 0.5 0 0.5 8\n",
+        "".join(f"{i}.0 1.5 2.5 0.5 7\n" for i in range(1, 20)),
+        "".join(f"{2 * i}.0 {i}.5 2.5 0.5 7\n" for i in range(1, 20)),
     ],
-    ids=["a lattice", "a sign", "points", "an exponent"],
+    ids=["a lattice", "a sign", "points", "an exponent", "a row", "every second"],
 )
 def test_what_is_no_id(read_text, rows):
     expected = [[float(field) for field in row.split()[:4]] for row in rows.splitlines()]

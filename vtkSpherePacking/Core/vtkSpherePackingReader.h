@@ -5,8 +5,8 @@
  *
  * The output is a vtkPolyData with a point and a vertex per sphere and the point array `radius`,
  * which is its active scalars. Further columns of numbers become point arrays of type double, named
- * as in the file or else `column_5` and so on; further columns with text in them are skipped.
- * Diameters are halved, never passed as radii.
+ * as in the file or else `column_5` and so on; further columns with text in them become arrays of
+ * strings. Diameters are halved, never passed as radii.
  *
  * | format      | extension                    | content                                          |
  * |-------------|------------------------------|--------------------------------------------------|
@@ -31,9 +31,22 @@
  * | ESYS        | any, by content              | NAME_0.txt, a snapshot of ESyS-Particle          |
  *
  * Text may have blanks, tabs, commas or semicolons between the columns, blank lines, comments that
- * begin with #, a UTF-8 byte order mark, and lines that end in LF, CR LF or CR. A header, by itself
- * or as the last comment before the first row, names the columns in SPHERES, XYZR and YADE, too, if
- * it has x, y, z and a radius or diameter. In CSV an empty field of a further column is NaN.
+ * begin with #, lines that end in LF, CR LF or CR, and a byte order mark: of UTF-8, UTF-16 or
+ * UTF-32. In CSV an empty field of a further column is NaN.
+ *
+ * A header, by itself or as a comment before the first row, names the columns in SPHERES, XYZR and
+ * YADE, too; so does one comment for each column. YADE's #format comes before comments. Numbers of
+ * columns before the names ("2:x") and units after them ("x [mm]", "x mm", of one unit for centres
+ * and radii) are understood, and for centres also pos_x, x_pos, center_x, cx, Points:0 and the
+ * like. The full words radius and diameter come before r and d. R beside G and B is red, not a
+ * radius: these become an array `rgb`, of bytes for whole numbers up to 255 and of floats for
+ * numbers up to 1. r beside theta and phi is a distance.
+ *
+ * By their places, the first four columns are x, y, z and radius: if nobody names columns, if the
+ * first four names are these, or if there are only four. It is an error if a comment names columns
+ * in a way that is not certain, if whole numbers in the first of five or more columns may be ids,
+ * or if the first row may be a count and a box. Columns says what they are.
+ *
  * Numbers are rounded once, to the precision of the output, as by strtod and strtof, in any locale.
  *
  * Atoms have the arrays `name`, `residue`, `residue_id` and, where a record has them, `chain`,
@@ -152,9 +165,10 @@ public:
 
   ///@{
   /**
-   * The names of the columns of a table in text, separated by blanks, such as "id x y z r". Then
-   * neither a header nor comments decide, and every row must have as many columns. Default null or
-   * empty: they are found. Also names those of LAMMPS_DATA, of the section Atoms, and of XYZ
+   * The names of the columns of a table in text, separated by blanks or commas, such as
+   * "id x y z r"; - or _ is a column to skip. Then neither a header nor comments decide, lines of
+   * words before the first row are skipped, and every row must have as many columns. Default null
+   * or empty: they are found. Also names those of LAMMPS_DATA, of the section Atoms, and of XYZ
    * without Properties; with other formats the update is an error, and without x, y and z.
    */
   vtkSetStringMacro(Columns);

@@ -2,10 +2,13 @@
 #include "io/FitNames.h"
 
 #include "io/NameMeaning.h"
+#include "io/PackingFileError.h"
+#include "io/SplitNames.h"
 
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <iterator>
 #include <optional>
 #include <set>
 
@@ -14,105 +17,6 @@ namespace spherepacking
 namespace
 {
 using Names = std::vector<std::string_view>;
-
-bool IsGap(char c)
-{
-  return c == ' ' || c == '\t';
-}
-
-std::string_view Trim(std::string_view text)
-{
-  while (!text.empty() && IsGap(text.front()))
-  {
-    text.remove_prefix(1);
-  }
-  while (!text.empty() && IsGap(text.back()))
-  {
-    text.remove_suffix(1);
-  }
-  return text;
-}
-
-bool IsWhole(std::string_view word)
-{
-  return !word.empty() && word.find_first_not_of("0123456789") == word.npos;
-}
-
-// The line without the signs that begin a comment here or elsewhere.
-std::string_view WithoutSigns(std::string_view line)
-{
-  line = Trim(line);
-  while (!line.empty() && std::string_view("#%/!").find(line.front()) != std::string_view::npos)
-  {
-    line.remove_prefix(1);
-  }
-  return Trim(line);
-}
-
-// Where the brackets that open at `at` close, or `at` if they do not.
-std::size_t BracketEnd(std::string_view line, std::size_t at)
-{
-  const std::size_t end = line.find(line[at] == '(' ? ')' : ']', at);
-  return end == line.npos ? at : end;
-}
-
-enum class Between
-{
-  Anything, // blanks, commas and semicolons
-  Commas,   // or semicolons
-  Tabs,
-  WideGaps // two blanks or more, or a tab
-};
-
-// Splits a line, but not within brackets. Between blanks, brackets are units and left out.
-Names Split(std::string_view line, Between between)
-{
-  const auto separates = [&](std::size_t i)
-  {
-    const char c = line[i];
-    const bool comma = c == ',' || c == ';';
-    const bool wide = IsGap(c) &&
-      (c == '\t' || (i + 1 < line.size() && IsGap(line[i + 1])) || (i > 0 && IsGap(line[i - 1])));
-    return between == Between::Anything ? comma || IsGap(c)
-      : between == Between::Commas      ? comma
-      : between == Between::Tabs        ? c == '\t'
-                                        : wide;
-  };
-  Names names;
-  std::size_t begin = 0;
-  std::size_t noBracket = 0; // up to here brackets do not close
-  const auto take = [&](std::size_t end)
-  {
-    std::string_view name = Trim(line.substr(begin, end - begin));
-    if (name.size() >= 2 && name.front() == '"' && name.back() == '"')
-    {
-      name = name.substr(1, name.size() - 2);
-    }
-    const bool unit = !name.empty() && (name.front() == '(' || name.front() == '[') &&
-      (name.back() == ')' || name.back() == ']') && !IsWhole(name.substr(1, name.size() - 2));
-    const bool gap = between == Between::Anything || between == Between::WideGaps;
-    if (!name.empty() ? !unit || !gap : !gap)
-    {
-      names.push_back(name);
-    }
-    begin = end + 1;
-  };
-  for (std::size_t i = 0; i < line.size(); ++i)
-  {
-    if ((line[i] == '(' || line[i] == '[') && i >= noBracket)
-    {
-      const std::size_t end = BracketEnd(line, i);
-      noBracket = end == i ? line.size() : noBracket;
-      i = end;
-    }
-    else if (separates(i))
-    {
-      take(i);
-    }
-  }
-  take(line.size());
-  return names;
-}
 
 // The number at the beginning of a name, as in "2:x", "2) x" or "[2] x"; `rest` is what follows.
 std::optional<std::size_t> LeadingNumber(std::string_view name, std::string_view& rest)
@@ -197,33 +101,6 @@ Names InPlace(const Numbered& numbered, std::size_t count)
   return names;
 }
 
-// The first word of a line, up to a blank.
-std::string_view FirstWord(std::string_view line)
-{
-  return line.substr(0, std::min(line.find_first_of(" \t"), line.size()));
-}
-
-// The line without a word that says that names follow, such as "columns:", but not "id: x: y:".
-std::string_view WithoutLabel(std::string_view line)
-{
-  const auto isLabel = [](std::string_view word)
-  { return word.size() > 1 && word.back() == ':' && (word[0] < '0' || word[0] > '9'); };
-  const std::string_view word = FirstWord(line);
-  const std::string_view rest = Trim(line.substr(word.size()));
-  const bool label = isLabel(word) && word.size() > 2 && !isLabel(FirstWord(rest));
-  return label ? rest : line;
-}
-
-// The same where the word may be a name, too. #C does so in files of IMD.
-std::string_view WithoutLabelWord(std::string_view line)
-{
-  static const std::set<std::string_view> labels{ "columns", "Columns", "fields", "Fields", "names",
-    "Names", "header", "variables", "VARIABLES", "C" };
-  const std::string_view word = FirstWord(line);
-  line = labels.count(word) > 0 ? Trim(line.substr(word.size())) : line;
-  return line.substr(0, 1) == "=" ? Trim(line.substr(1)) : line;
-}
-
 Names WithoutColons(Names names)
 {
   for (std::string_view& name : names)
@@ -233,25 +110,60 @@ Names WithoutColons(Names names)
   return names;
 }
 
-// Without units, if these are of one length; names of columns are among them otherwise.
-Names WithoutUnits(const Names& names)
+// Where the unit of the name at `i` ends: after "mm" or "in mm" behind it, or else after the name.
+std::size_t UnitEnd(const Names& names, std::size_t i)
 {
-  Names rest;
+  const std::size_t unit = i + (i + 1 < names.size() && names[i + 1] == "in" ? 2 : 1);
+  return unit < names.size() && IsUnit(names[unit]) ? unit + 1 : i + 1;
+}
+
+// The unit of length that stands behind each name of the sphere, or nothing. Red has none.
+std::string UnitOfSphere(const Names& names)
+{
+  std::vector<NameMeaning> meanings;
+  std::transform(names.begin(), names.end(), std::back_inserter(meanings), MeaningOfName);
+  const auto has = [&](NameMeaning::Kind kind)
+  {
+    return std::any_of(meanings.begin(), meanings.end(),
+      [kind](const NameMeaning& meaning) { return meaning.What == kind; });
+  };
+  const bool colors = has(NameMeaning::Green) && has(NameMeaning::Blue);
   std::string length;
   for (std::size_t i = 0; i < names.size(); ++i)
   {
-    const bool in = names[i] == "in" && i + 1 < names.size() && IsUnit(names[i + 1]);
-    if (rest.empty() || !(in || IsUnit(names[i])))
+    const std::size_t end = UnitEnd(names, i);
+    const std::string unit = end > i + 1 ? LengthUnit(names[end - 1]) : std::string();
+    const bool red = colors && meanings[i].IsLetter && unit.empty();
+    if (!IsOfSphere(meanings[i]) || red)
     {
-      rest.push_back(names[i]);
       continue;
     }
-    const std::string unit = LengthUnit(names[i]);
-    if (!unit.empty() && !length.empty() && unit != length)
+    if (unit.empty() || (!length.empty() && unit != length))
     {
-      return names;
+      return {};
     }
-    length = unit.empty() ? length : unit;
+    length = unit;
+  }
+  return length;
+}
+
+// Without units, if all of the sphere have one of the same length, or if one ends the line for all.
+// Another length among them is a name, as is m at the end: that may be a mass.
+Names WithoutUnits(const Names& names)
+{
+  const std::string length = UnitOfSphere(names);
+  const auto lengths =
+    std::count_if(names.begin(), names.end(), [](auto name) { return !LengthUnit(name).empty(); });
+  Names rest;
+  for (std::size_t i = 0; i < names.size();)
+  {
+    rest.push_back(names[i]);
+    const std::size_t end = UnitEnd(names, i);
+    const std::string unit = LengthUnit(names[end - 1]);
+    const bool ofEach = !length.empty() && (unit == length || unit.empty());
+    const bool ofAll =
+      end == names.size() && lengths <= 1 && (end == i + 3 || names[end - 1] != "m");
+    i = end > i + 1 && (ofEach || ofAll) ? end : i + 1;
   }
   return rest;
 }
@@ -275,7 +187,7 @@ Names JoinTwoWords(const Names& names)
 
 Names SplitWords(std::string_view line)
 {
-  return Split(WithoutLabelWord(WithoutLabel(WithoutSigns(line))), Between::Anything);
+  return SplitNames(WithoutLabelWord(WithoutLabel(WithoutSigns(line))), Between::Anything);
 }
 
 /// Collects the readings of one line.
@@ -288,16 +200,27 @@ public:
   {
   }
 
-  // Reads names in all ways that words may belong together.
   void Try(const Names& names)
   {
-    this->TryUnits(names);
+    this->Add(WithoutColons(names));
     if (const auto numbered = TakeNumbers(names))
     {
       if (const Names placed = InPlace(*numbered, this->Count); !placed.empty())
       {
         this->Add(placed);
       }
+    }
+  }
+
+  // Between blanks, words may belong together. What may be one name of two words is not read as two
+  // names, too.
+  void TryWords(const Names& words)
+  {
+    const Names joined = JoinTwoWords(words);
+    this->Try(joined);
+    if (const Names names = WithoutUnits(joined); names.size() != joined.size())
+    {
+      this->Add(WithoutColons(names));
     }
   }
 
@@ -318,22 +241,6 @@ public:
   }
 
 private:
-  // What may be one name of two words is not read as two names, too.
-  void TryUnits(const Names& names)
-  {
-    const Names joined = JoinTwoWords(names);
-    this->Add(WithoutColons(joined));
-    this->AddShorter(WithoutUnits(joined), joined);
-  }
-
-  void AddShorter(const Names& shorter, const Names& names)
-  {
-    if (shorter.size() != names.size())
-    {
-      this->Add(WithoutColons(shorter));
-    }
-  }
-
   void Add(const Names& names)
   {
     if (names.size() != this->Count)
@@ -407,6 +314,25 @@ bool NamesSomeOfSphere(const std::vector<std::string_view>& words, std::size_t c
 }
 
 //------------------------------------------------------------------------------
+bool HasTwoUnits(std::string_view line)
+{
+  std::set<std::string> lengths;
+  for (std::size_t at = line.find_first_of("(["); at != line.npos;)
+  {
+    const std::size_t end = BracketEnd(line, at);
+    const std::string_view before = Trim(line.substr(0, at));
+    const std::size_t word = before.find_last_of(" \t,;:)]");
+    if (IsOfSphere(MeaningOfName(before.substr(word == before.npos ? 0 : word + 1))))
+    {
+      lengths.insert(LengthUnit(Trim(line.substr(at + 1, end > at ? end - at - 1 : 0))));
+    }
+    at = end > at ? line.find_first_of("([", end) : line.npos;
+  }
+  lengths.erase("");
+  return lengths.size() > 1;
+}
+
+//------------------------------------------------------------------------------
 bool AreNumbered(std::string_view line)
 {
   return TakeNumbers(SplitWords(line)).has_value();
@@ -431,19 +357,27 @@ NamesFit FitNames(std::string_view line, std::size_t count, Radii radii)
   }
   // Commas, tabs and wide gaps say more than single blanks, which may be within names.
   Readings readings(count, radii);
-  for (const Between between :
-    { Between::Commas, Between::Tabs, Between::WideGaps, Between::Anything })
+  for (const std::string_view names : lines)
   {
-    if (between == Between::Anything && readings.Fit())
+    for (const Between between : { Between::Commas, Between::Tabs, Between::WideGaps })
     {
-      break;
+      readings.Try(SplitNames(names, between));
     }
+  }
+  if (!readings.Fit())
+  {
     for (const std::string_view names : lines)
     {
-      readings.Try(Split(names, between));
+      readings.TryWords(SplitNames(names, Between::Anything));
     }
   }
   NamesFit fit = readings.Result();
+  if (fit.What == NamesFit::Fits && HasTwoUnits(line))
+  {
+    return { NamesFit::Unclear, {},
+      "found several units of length in " + Quote(line.data(), line.data() + line.size()) +
+        ", expected one for coordinates and radii" };
+  }
   std::string complaint;
   if (fit.What == NamesFit::NoNames &&
     (ColumnsFromNames(NameWords(line), complaint) ||

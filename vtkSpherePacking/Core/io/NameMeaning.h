@@ -31,6 +31,13 @@ struct NameMeaning
   std::string Unit;   ///< of length, in one spelling, if there is one
 };
 
+/// Whether a name is that of a coordinate or a size.
+inline bool IsOfSphere(const NameMeaning& meaning)
+{
+  return meaning.What == NameMeaning::Coordinate || meaning.What == NameMeaning::Radius ||
+    meaning.What == NameMeaning::Diameter;
+}
+
 /// The family of x, y, z.
 constexpr const char* PlainFamily = "*";
 

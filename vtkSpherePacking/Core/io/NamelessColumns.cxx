@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/NamelessColumns.h"
 
-#include "io/Number.h"
 #include "io/PackingFileError.h"
 #include "io/Separators.h"
-#include "io/TextChunks.h"
+#include "io/TableRows.h"
 
 #include <algorithm>
-#include <charconv>
 #include <string>
 #include <string_view>
 
@@ -18,28 +16,6 @@ const char* const ColumnsHint = "columns=\"id x y z r\" (--columns) to say what 
 namespace
 {
 using Fields = std::vector<std::string_view>;
-
-bool IsWhole(std::string_view field)
-{
-  return !field.empty() && field.find_first_not_of("0123456789") == field.npos;
-}
-
-// Calls `look(row)` for the rows of a text, until it returns false.
-template <typename Look>
-void ForRows(const TextRange& text, const Look& look)
-{
-  LineFinder find(text.End);
-  vtkIdType line = text.FirstLine;
-  for (const char* p = text.Begin; p != text.End; ++line)
-  {
-    const char* const end = find(p);
-    if (IsRow(RowKind::Data, p, end) && !look(TextRange{ SkipBlanks(p, end), end, line }))
-    {
-      return;
-    }
-    p = SkipLineEnd(end, text.End);
-  }
-}
 
 // Numbered columns, but for x, y, z and radius, which begin at `first`.
 std::vector<Column> SphereAt(std::size_t first, std::size_t count)
@@ -139,130 +115,5 @@ std::vector<Column> NamelessColumns(
     ThrowTooFew(row, fields.size(), " ");
   }
   return SphereAt(0, fields.size());
-}
-
-//------------------------------------------------------------------------------
-void CheckFirstColumn(const TextRange& text, const TableLayout& layout)
-{
-  if (layout.Named == Naming::All || layout.Columns.size() <= 4 ||
-    layout.Columns[0].Role != ColumnRole::X)
-  {
-    return;
-  }
-  std::vector<unsigned long long> values;
-  bool onlyWhole = true;
-  bool pointBeside = false;
-  TextRange first{ nullptr, nullptr, 0 };
-  const Separators& between = layout.Between;
-  ForRows(text,
-    [&](const TextRange& row)
-    {
-      first = first.Begin ? first : row;
-      const char* end = between.FieldEnd(row.Begin);
-      unsigned long long value = 0;
-      const auto [at, error] = std::from_chars(row.Begin, end, value);
-      onlyWhole = error == std::errc() && at == end;
-      values.push_back(value);
-      for (int i = 0; i < 2 && !pointBeside; ++i)
-      {
-        const char* const begin =
-          between.SkipBlanks(end) + (between.IsDelimiter(*between.SkipBlanks(end)) ? 1 : 0);
-        const char* const field = between.SkipBlanks(begin);
-        end = between.FieldEnd(field);
-        pointBeside =
-          std::string_view(field, end - field).find_first_of(".eE") != std::string_view::npos;
-      }
-      return onlyWhole;
-    });
-  if (!onlyWhole)
-  {
-    return;
-  }
-  std::sort(values.begin(), values.end());
-  const bool distinct = layout.Named == Naming::None &&
-    std::adjacent_find(values.begin(), values.end()) == values.end();
-  if (distinct || pointBeside)
-  {
-    throw LineError(first.FirstLine,
-      "found whole numbers in the first column of " + std::to_string(layout.Columns.size()) +
-        ", which may be ids rather than x, in " + Quote(first.Begin, first.End) + ", expected " +
-        ColumnsHint);
-  }
-}
-
-namespace
-{
-struct Bounds
-{
-  double Low[3];
-  double High[3];
-};
-
-// The boxes that numbers after a count may give: three lengths, from a corner or around the middle,
-// or six bounds in either order.
-std::vector<Bounds> BoxesOf(const std::vector<double>& v)
-{
-  if (v.size() == 3)
-  {
-    return { { { 0, 0, 0 }, { v[0], v[1], v[2] } },
-      { { -v[0] / 2, -v[1] / 2, -v[2] / 2 }, { v[0] / 2, v[1] / 2, v[2] / 2 } } };
-  }
-  if (v.size() == 6)
-  {
-    return { { { v[0], v[2], v[4] }, { v[1], v[3], v[5] } },
-      { { v[0], v[1], v[2] }, { v[3], v[4], v[5] } } };
-  }
-  return {};
-}
-
-template <typename Real>
-bool LieInBox(const PackingArrays& arrays, const Bounds& box)
-{
-  const Real* const centers = arrays.Centers<Real>();
-  for (vtkIdType i = 1; i < arrays.GetCount(); ++i)
-  {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const double at = centers[3 * i + axis];
-      if (at < box.Low[axis] || at > box.High[axis])
-      {
-        return false;
-      }
-    }
-  }
-  return true;
-}
-}
-
-//------------------------------------------------------------------------------
-void CheckFirstRow(const TextRange& text, const PackingArrays& arrays)
-{
-  TextRange row{ nullptr, nullptr, 0 };
-  ForRows(text,
-    [&](const TextRange& first)
-    {
-      row = first;
-      return false;
-    });
-  const Fields fields = Separators::Liberal().Split(row.Begin);
-  const std::string count = std::to_string(arrays.GetCount() - 1);
-  if (arrays.GetCount() < 2 || fields[0] != count || fields.size() > 7)
-  {
-    return;
-  }
-  std::vector<double> numbers(fields.size() - 1);
-  for (std::size_t i = 1; i < fields.size(); ++i)
-  {
-    ParseNumber(fields[i].data(), fields[i].data() + fields[i].size(), numbers[i - 1]);
-  }
-  for (const Bounds& box : BoxesOf(numbers))
-  {
-    if (arrays.IsSingle() ? LieInBox<float>(arrays, box) : LieInBox<double>(arrays, box))
-    {
-      throw LineError(row.FirstLine,
-        "found " + Quote(row.Begin, row.End) + ", which seems to be the number of the " + count +
-          " rows that follow and their box, expected rows of spheres alone, or # before it");
-    }
-  }
 }
 }

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// Tables whose columns nobody names: which are those of the sphere, and when that is not certain.
 #ifndef NamelessColumns_h
 #define NamelessColumns_h
 
-#include "bridge/PackingArrays.h"
 #include "io/PackingFormats.h"
 #include "io/TableLayout.h"
 #include "io/TextLines.h"
@@ -21,17 +19,6 @@ extern const char* const ColumnsHint;
  */
 std::vector<Column> NamelessColumns(
   Format format, const TextRange& text, const TextRange& row, Radii radii);
-
-/**
- * Throws if the first of more than four columns may hold ids or kinds rather than x, unless all are
- * named: if it has only whole numbers without sign and point, beside y or z with a point somewhere,
- * or, where nobody says that x comes first, no two of them the same.
- */
-void CheckFirstColumn(const TextRange& text, const TableLayout& layout);
-
-/// Throws if the first row holds the number of the others and three lengths or six bounds of a box
-/// that they lie in.
-void CheckFirstRow(const TextRange& text, const PackingArrays& arrays);
 }
 
 #endif

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "io/CheckPlaces.h"
 #include "io/FileBytes.h"
-#include "io/NamelessColumns.h"
 #include "io/PackingFileError.h"
 #include "io/PackingFormats.h"
 #include "io/TableDetector.h"
@@ -24,11 +24,7 @@ PackingArrays ParseTextTable(
   const auto chunks = CutIntoChunks(text, layout.Rows, options.ChunkSize, 0, progress);
   progress.SetRange(0.3, 1.0);
   PackingArrays arrays = ParseTable(bytes.End(), layout, chunks, options.Single, progress);
-  CheckFirstColumn(text, layout);
-  if (layout.Named == Naming::None)
-  {
-    CheckFirstRow(text, arrays);
-  }
+  CheckPlaces(text, layout, arrays);
   if (layout.Cell)
   {
     arrays.SetCell(*layout.Cell);

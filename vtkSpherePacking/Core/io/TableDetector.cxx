@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/TableDetector.h"
 
+#include "io/FitComments.h"
 #include "io/GivenColumns.h"
+#include "io/NameMeaning.h"
 #include "io/NamelessColumns.h"
 #include "io/PackingFileError.h"
 #include "io/TableHead.h"
 
 #include <algorithm>
+#include <set>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -265,9 +269,10 @@ private:
       this->Layout.Named = Naming::None;
       return false;
     }
-    if (!fit.OneEach && this->FirstFourAreNamed(fit.Line, count))
+    this->Layout.Named =
+      fit.OneEach || HasTwoUnits(View(fit.Line)) ? Naming::All : this->FirstFour(fit.Line, count);
+    if (this->Layout.Named != Naming::All)
     {
-      this->Layout.Named = Naming::FirstFour;
       return false;
     }
     if (!fit.Complaint.empty())
@@ -284,10 +289,10 @@ private:
         " columns, expected a name for each column, or " + ColumnsHint);
   }
 
-  // Whether a comment that does not name all columns, and only them, still says that the first four
-  // are x, y, z and radius. With words before or between these, or without the radius, the rows
-  // must have four columns and begin with no id.
-  bool FirstFourAreNamed(const TextRange& line, std::size_t count) const
+  // What a comment that does not name all columns, and only them, says of the first four, or All if
+  // that is not certain. With words before or between x, y, z and radius, or without the radius,
+  // the rows must have four columns.
+  static Naming FirstFour(const TextRange& line, std::size_t count)
   {
     const Fields words = NameWords(View(line));
     std::string complaint;
@@ -305,26 +310,35 @@ private:
     {
       if (roles[sphere[i]].Role != static_cast<ColumnRole>(i))
       {
-        return false;
+        return Naming::All;
       }
     }
+    std::set<std::string> lengths;
+    for (const std::string_view word : words)
+    {
+      lengths.insert(LengthUnit(word));
+    }
+    lengths.erase("");
     const bool noRadius = sphere.size() == 3 &&
       (sphere.size() == words.size() || ColumnsFromNames(words, complaint)); // r may be red
     const bool atOnce = sphere.size() == 4 && sphere[3] == 3;
-    const bool begins = !sphere.empty() && sphere[0] == 0;
-    return !AreNumbered(View(line)) && sphere.size() >= 3 && !noRadius &&
-      (atOnce || (count == 4 && (begins || !this->MayBeIds(roles[sphere[0] - 1].Name))));
+    if (AreNumbered(View(line)) || sphere.size() < 3 || noRadius || lengths.size() > 1)
+    {
+      return Naming::All;
+    }
+    if (atOnce || (count == 4 && sphere[0] == 0))
+    {
+      return Naming::FirstFour;
+    }
+    return count == 4 && !IsId(roles[sphere[0] - 1].Name) ? Naming::FourAfterWords : Naming::All;
   }
 
-  // Whether the name before x, or the first field of the first row, is that of an id.
-  bool MayBeIds(const std::string& name) const
+  // Whether a word before x is rather the name of a column.
+  static bool IsId(const std::string& name)
   {
     static const char* const ids[] = { "id", "ID", "Id", "ids", "index", "Index", "i", "n", "no",
       "No", "nr", "Nr", "number", "Number", "type", "Type", "tag", "material", "element", "name" };
-    const char* const begin = this->Head.Row.Begin;
-    const std::string_view field(begin, this->Layout.Between.FieldEnd(begin) - begin);
-    return std::find(std::begin(ids), std::end(ids), name) != std::end(ids) ||
-      field.find_first_not_of("0123456789") == field.npos;
+    return std::find(std::begin(ids), std::end(ids), name) != std::end(ids);
   }
 
   // Throws if the first row is a sentence.

@@ -3,7 +3,6 @@
 #define TableHead_h
 
 #include "bridge/PackingArrays.h"
-#include "io/FitNames.h"
 #include "io/TextLines.h"
 
 #include <optional>
@@ -31,19 +30,6 @@ inline std::string_view View(const TextRange& line)
 {
   return std::string_view(line.Begin, line.End - line.Begin);
 }
-
-/// What comments say about rows of some columns, and where.
-struct CommentFit : NamesFit
-{
-  TextRange Line{ nullptr, nullptr, 0 };
-  bool OneEach = false; ///< a comment for each column
-};
-
-/**
- * Looks for the names of `count` columns in comments: the last one that names all, or else one
- * comment for each column, in turn or with its number; or else one that names columns, but not all.
- */
-CommentFit FitComments(const TableHead& head, std::size_t count, Radii radii);
 }
 
 #endif

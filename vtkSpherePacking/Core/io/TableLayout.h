@@ -18,7 +18,8 @@ namespace spherepacking
 enum class Naming : unsigned char
 {
   All,
-  FirstFour, ///< x, y, z and radius, but not all others
+  FirstFour,      ///< x, y, z and radius, but not all others
+  FourAfterWords, ///< the same of only four, after words that may be a name, too
   None
 };
 

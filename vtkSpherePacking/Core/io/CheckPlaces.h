@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef CheckPlaces_h
+#define CheckPlaces_h
+
+#include "bridge/PackingArrays.h"
+#include "io/TableLayout.h"
+#include "io/TextLines.h"
+
+namespace spherepacking
+{
+/**
+ * Throws if the first column of a table may not be x, although its columns go by their places: if
+ * there are more than four and the first may hold ids or kinds, or if the first row may hold a
+ * count and a box. `text` begins with the first row or comments before it.
+ */
+void CheckPlaces(const TextRange& text, const TableLayout& layout, const PackingArrays& arrays);
+}
+
+#endif
