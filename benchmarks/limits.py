@@ -100,7 +100,10 @@ CASES = {
     "rows": ("p.spheres", lambda b: rows(b // 20)),
     "rows of 30 columns": ("p.txt", lambda b: rows(b // 150, 30)),
     "one row of many columns": ("p.txt", lambda b: "1 2 3 0.5" + " 7" * (b // 2) + "\n"),
-    "few rows of many columns": ("p.txt", lambda b: ("1 2 3 .5" + " 7" * (b // 200) + "\n") * 100),
+    "rows of the most columns": (
+        "p.txt",
+        lambda b: ("1.5 2 3 .5" + " 7" * 32764 + "\n") * (b // 65538),
+    ),
     "names of many columns": (
         "p.csv",
         lambda b: (
@@ -117,7 +120,7 @@ CASES = {
         ),
     ),
     "many remarks": ("p.txt", lambda b: "# x y z r\n" * (b // 10) + "1 2 3 0.5\n"),
-    "remarks between rows": ("p.txt", lambda b: "# x y\n1 2 3 0.5\n" * (b // 16)),
+    "remarks between rows": ("p.txt", lambda b: "# of 4\n1 2 3 0.5\n" * (b // 17)),
     "blank lines": ("p.txt", lambda b: "\n" * b + "1 2 3 0.5\n"),
     "a long number": ("p.txt", lambda b: "1 2 3 0." + "1" * b + "\n"),
     "lone CRs": ("p.txt", lambda b: rows(b // 20).replace("\n", "\r")),

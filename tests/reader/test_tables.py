@@ -425,6 +425,13 @@ def test_time_is_linear_in_the_columns(read_text, make):
         assert packing.points.tolist()[0] == [0.5, 2, 3]
         return time.perf_counter() - start
 
-    few = min(seconds(6000) for _ in range(3))
-    many = min(seconds(48000) for _ in range(2))
+    few = min(seconds(4000) for _ in range(3))
+    many = min(seconds(32000) for _ in range(2))
     assert many < 24 * few, "8 times as many columns; quadratic time would be 64"
+
+
+@pytest.mark.parametrize("begin", ["", "x,y,z,r" + ",n" * 32765 + "\n", "# x y z r\n"])
+def test_more_columns_than_any_packing_has(refused, begin):
+    separator = "," if "," in begin else " "
+    message = refused(begin + separator.join(["0.5"] * 32769) + "\n")
+    assert message == ": found 32769 columns, expected at most 32768"

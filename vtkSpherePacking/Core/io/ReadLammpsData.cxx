@@ -63,7 +63,8 @@ std::vector<Column> ColumnsOfStyle(
   {
     throw LineError(file.Atoms->Line,
       "found rows of " + std::to_string(row.size()) +
-        " columns and no atom_style, expected a comment that names it, such as Atoms # sphere");
+        " columns and no atom_style, expected a comment that names it, such as Atoms # sphere, "
+        "or columns=\"id type diameter density x y z\" (--columns) to say what they are");
   }
   Fields all(names->begin(), names->end());
   if (row.size() == all.size() + 3)

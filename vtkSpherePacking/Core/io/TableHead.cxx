@@ -5,6 +5,7 @@
 #include "io/PackingFileError.h"
 #include "io/PackingFormats.h"
 #include "io/Separators.h"
+#include "io/TableLayout.h"
 #include "io/TextChunks.h"
 
 #include <limits>
@@ -47,6 +48,20 @@ void ReadYadeLine(const TextRange& comment, TableHead& head)
   }
   head.Cell = cell;
 }
+
+// Whatever separates them; fields with blanks in them count as several.
+std::size_t CountFields(std::string_view line)
+{
+  std::size_t count = 0;
+  bool between = true;
+  for (const char c : line)
+  {
+    const bool separates = IsBlank(c) || c == ',' || c == ';';
+    count += between && !separates;
+    between = separates;
+  }
+  return count;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -62,6 +77,7 @@ TableHead FindHead(const TextRange& text)
     if (IsRow(RowKind::Data, p, end))
     {
       head.Row = { first, end, number };
+      CheckColumnCount(CountFields(View(head.Row)));
       return head;
     }
     if (first != end)

@@ -2,11 +2,23 @@
 #include "io/TableLayout.h"
 
 #include "io/Number.h"
+#include "io/PackingFileError.h"
 
 #include <algorithm>
 
 namespace spherepacking
 {
+//------------------------------------------------------------------------------
+void CheckColumnCount(std::size_t count)
+{
+  constexpr std::size_t most = 1 << 15;
+  if (count > most)
+  {
+    throw ContentError(
+      "found " + std::to_string(count) + " columns, expected at most " + std::to_string(most));
+  }
+}
+
 //------------------------------------------------------------------------------
 bool HasRadius(const std::vector<Column>& columns)
 {

@@ -124,6 +124,7 @@ TableParser::TableParser(const TableLayout& layout, vtkIdType count, bool single
   , Extras(new ExtraColumns)
 {
   const std::size_t columns = layout.Columns.size();
+  CheckColumnCount(columns);
   *this->Extras = { std::vector<double*>(columns), std::vector<std::string*>(columns),
     std::make_unique<std::atomic<bool>[]>(columns) };
   for (std::size_t i = 0; i < columns; ++i)
