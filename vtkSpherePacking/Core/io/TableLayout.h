@@ -42,8 +42,8 @@ void MarkTextColumns(TableLayout& layout, const char* p);
 /// The same by the first row of `rows`, if there is any.
 void MarkTextByFirstRow(TableLayout& layout, const TextRange& rows);
 
-/// Throws if a table has more columns than any packing: each is an array of VTK, which takes about a
-/// kilobyte whatever it holds, so that a short row could take more memory than its file explains.
+/// Throws if a table has more columns than any packing: each is an array of VTK, which takes about
+/// a kilobyte whatever it holds, so that a short row could take more memory than its file explains.
 void CheckColumnCount(std::size_t count);
 
 /// Whether a radius or diameter is among the columns.
