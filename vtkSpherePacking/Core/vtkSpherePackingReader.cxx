@@ -47,6 +47,44 @@ bool TakesColumns(Format format)
 }
 }
 
+namespace
+{
+// Reads a file of a format without time steps.
+PackingArrays ReadWhole(spherepacking::Format format, const std::string& file,
+  const ReadOptions& options, spherepacking::Progress& progress)
+{
+  switch (format)
+  {
+    case Format::Xyzd:
+      return ReadXyzd(file, options, progress);
+    case Format::Pqr:
+      return ReadPqr(file, options, progress);
+    case Format::SphereTree:
+      return ReadSphereTree(file, options, progress);
+    case Format::Dock:
+      return ReadDock(file, options, progress);
+    case Format::Hole:
+      return ReadHole(file, options, progress);
+    case Format::Swc:
+      return ReadSwc(file, options, progress);
+    case Format::GenGeo:
+      return ReadGenGeo(file, options, progress);
+    case Format::MedialAxis:
+      return ReadMedialAxis(file, options, progress);
+    case Format::Kratos:
+      return ReadKratos(file, options, progress);
+    case Format::PackLsd:
+      return ReadPackLsd(file, options, progress);
+    case Format::EsysSnapshot:
+      return ReadEsysSnapshot(file, options, progress);
+    case Format::LammpsData:
+      return ReadLammpsData(file, options, progress);
+    default:
+      return ReadTextTable(file, format, options, progress);
+  }
+}
+}
+
 class vtkSpherePackingReader::Internals
 {
 public:
@@ -159,67 +197,32 @@ void vtkSpherePackingReader::ReadFile(vtkInformation* outInfo, vtkPolyData* outp
     throw PackingFileError(vtkErrorCode::FileFormatError,
       file + ": found names of columns for a format that says what its columns are, expected none");
   }
-  const auto readStep = [&](const auto& read)
+  if (HasSteps(format))
   {
-    using SDDP = vtkStreamingDemandDrivenPipeline;
-    std::optional<double> value;
-    if (outInfo->Has(SDDP::UPDATE_TIME_STEP()))
-    {
-      value = outInfo->Get(SDDP::UPDATE_TIME_STEP());
-    }
-    const TimeSteps& steps = this->Internal->Steps.Find(format, file);
-    const std::size_t chosen = steps.IndexOf(value);
-    read(file, steps.Steps[chosen], options, progress).MoveTo(output);
-    output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), steps.Values[chosen]);
-  };
-  switch (format)
-  {
-    case Format::Xyzd:
-      ReadXyzd(file, options, progress).MoveTo(output);
-      break;
-    case Format::Pqr:
-      ReadPqr(file, options, progress).MoveTo(output);
-      break;
-    case Format::SphereTree:
-      ReadSphereTree(file, options, progress).MoveTo(output);
-      break;
-    case Format::Dock:
-      ReadDock(file, options, progress).MoveTo(output);
-      break;
-    case Format::Hole:
-      ReadHole(file, options, progress).MoveTo(output);
-      break;
-    case Format::Swc:
-      ReadSwc(file, options, progress).MoveTo(output);
-      break;
-    case Format::GenGeo:
-      ReadGenGeo(file, options, progress).MoveTo(output);
-      break;
-    case Format::MedialAxis:
-      ReadMedialAxis(file, options, progress).MoveTo(output);
-      break;
-    case Format::Kratos:
-      ReadKratos(file, options, progress).MoveTo(output);
-      break;
-    case Format::PackLsd:
-      ReadPackLsd(file, options, progress).MoveTo(output);
-      break;
-    case Format::EsysSnapshot:
-      ReadEsysSnapshot(file, options, progress).MoveTo(output);
-      break;
-    case Format::LammpsData:
-      ReadLammpsData(file, options, progress).MoveTo(output);
-      break;
-    case Format::Dump:
-      readStep(ReadDump);
-      break;
-    case Format::Xyz:
-      readStep(ReadXyz);
-      break;
-    case Format::Mercury:
-      readStep(ReadMercury);
-      break;
-    default:
-      ReadTextTable(file, format, options, progress).MoveTo(output);
+    this->ReadStep(format, file, options, progress, outInfo, output);
   }
+  else
+  {
+    ReadWhole(format, file, options, progress).MoveTo(output);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkSpherePackingReader::ReadStep(spherepacking::Format format, const std::string& file,
+  const ReadOptions& options, spherepacking::Progress& progress, vtkInformation* outInfo,
+  vtkPolyData* output)
+{
+  using SDDP = vtkStreamingDemandDrivenPipeline;
+  std::optional<double> value;
+  if (outInfo->Has(SDDP::UPDATE_TIME_STEP()))
+  {
+    value = outInfo->Get(SDDP::UPDATE_TIME_STEP());
+  }
+  const TimeSteps& steps = this->Internal->Steps.Find(format, file);
+  const std::size_t chosen = steps.IndexOf(value);
+  const auto read = format == Format::Dump ? ReadDump
+    : format == Format::Xyz                ? ReadXyz
+                                           : ReadMercury;
+  read(file, steps.Steps[chosen], options, progress).MoveTo(output);
+  output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), steps.Values[chosen]);
 }

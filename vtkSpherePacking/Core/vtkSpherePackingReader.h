@@ -97,6 +97,13 @@
 #include <memory> // for std::unique_ptr
 #include <string> // for std::string
 
+namespace spherepacking
+{
+class Progress;
+enum class Format;
+struct ReadOptions;
+}
+
 class VTKSPHEREPACKINGCORE_EXPORT vtkSpherePackingReader : public vtkPolyDataAlgorithm
 {
 public:
@@ -204,6 +211,9 @@ private:
   void operator=(const vtkSpherePackingReader&) = delete;
 
   void ReadFile(vtkInformation* outInfo, vtkPolyData* output);
+  void ReadStep(spherepacking::Format format, const std::string& file,
+    const spherepacking::ReadOptions& options, spherepacking::Progress& progress,
+    vtkInformation* outInfo, vtkPolyData* output);
   std::string OutOfMemory() const;
 
   char* FileName = nullptr;
