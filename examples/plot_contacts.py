@@ -48,7 +48,7 @@ plotter.packing.add(
     cmap="viridis",
     show_cell=True,
     specular=0.3,
-    scalar_bar_args={"n_labels": 3},
+    scalar_bar_args={"n_labels": 2},
 )
 plotter.subplot(0, 1)
 plotter.packing.add_contacts(
@@ -57,7 +57,7 @@ plotter.packing.add_contacts(
     scalars="overlap",
     cmap="inferno_r",
     specular=0.3,
-    scalar_bar_args={"n_labels": 3},
+    scalar_bar_args={"n_labels": 2},
 )
 alone = packing["coordination"] == 0
 free = pv.PolyData(packing.points[alone])
