@@ -65,9 +65,11 @@
  * The steps of a dump, an extended XYZ or a MercuryDPM file are the time steps of the output;
  * without a request for a time the first is read. Their values are the numbers of the file, if each
  * step has one and these increase. If not, since a run was restarted or the file gives none, they
- * are 0, 1, 2 and so on. The field array `TimeValue` has the file's own number. A step without
- * spheres has no points. A last step that was cut before it says what it is, since the run was
- * stopped, is left out; one that was cut later is an error when it is read.
+ * are 0, 1, 2 and so on. The field array `TimeValue` has the file's own number, GetStepTimes() that
+ * of each step. A dump may have both ITEM: TIME and ITEM: TIMESTEP, an extended XYZ Time, Timestep
+ * and Step: the first of these that increases is taken. A step without spheres has no points. A
+ * last step that was cut before it says what it is, since the run was stopped, is left out; one
+ * that was cut later is an error when it is read.
  *
  * A snapshot of ESyS-Particle is a file that names those with the particles, one per worker of the
  * run; they are looked for beside it. Its time is the number of the step times their length.
@@ -103,6 +105,8 @@ class Progress;
 enum class Format;
 struct ReadOptions;
 }
+
+class vtkDoubleArray;
 
 class VTKSPHEREPACKINGCORE_EXPORT vtkSpherePackingReader : public vtkPolyDataAlgorithm
 {
@@ -191,6 +195,13 @@ public:
   vtkGetMacro(RadiusOptional, bool);
   vtkBooleanMacro(RadiusOptional, bool);
   ///@}
+
+  /**
+   * The file's own number of each time step, as of the last UpdateInformation(): its time, or the
+   * number of the time step where the file has no times. NaN where a step has none. Unlike the time
+   * steps of the output they may repeat or run backwards. Empty for formats without time steps.
+   */
+  vtkDoubleArray* GetStepTimes() const;
 
   /**
    * The error of the last update, in one sentence; empty when there was none.
