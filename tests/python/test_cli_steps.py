@@ -92,6 +92,21 @@ def test_info_of_a_series(tmp_path, capfd):
     assert "x        8 .. 10" in out
 
 
+def test_info_of_times_that_repeat_or_are_missing(tmp_path, capfd):
+    row = (1, 0, 0, 0, 0, 0, 0, 5, 1)
+    path = tmp_path / "restarted.dump"
+    path.write_text("".join(text_of(time, row) for time in (0, 100, 100)))
+    _, out, err = ask(capfd, "info", path)
+    assert out.startswith("steps    3, times 0 100 100\n")
+    assert "this is the first, of time 0;" in err
+    frame = "1\nProperties=pos:R:3:radius:R:1 {}\n0 0 0 1\n"
+    path = tmp_path / "run.xyz"
+    path.write_text(frame.format("") + frame.format("Time=0.5"))
+    _, out, err = ask(capfd, "info", path)
+    assert out.startswith("steps    2, times - 0.5\n")
+    assert "this is the first; --step takes another" in err
+
+
 def test_a_file_of_one_packing_says_nothing_of_steps(tmp_path, capfd):
     (tmp_path / "a.xyzr").write_text("0 0 0 1\n")
     _, out, err = ask(capfd, "info", tmp_path / "a.xyzr")

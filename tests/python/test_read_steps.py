@@ -117,6 +117,66 @@ def test_many_times_are_not_all_listed(tmp_path):
         spherepacking.read(path, time=42.2)
 
 
+FRAME = "1\nProperties=species:S:1:pos:R:3:radius:R:1 {}\nA {} 0 0 0.5\n"
+
+
+def xyz(path, *comments):
+    path.write_text("".join(FRAME.format(comment, x) for x, comment in enumerate(comments)))
+    return path
+
+
+@pytest.mark.parametrize(
+    ("numbers", "time", "x"), [([0, 1, 2, 2, 3, 4], 3, 4), ([0, 100, 200, 200, 300], 300, 4)]
+)
+def test_numbers_that_repeat_are_not_replaced_by_indices(tmp_path, numbers, time, x):
+    path = tmp_path / "restarted.dump"
+    path.write_text("".join(DUMP.format(step=step, x=i) for i, step in enumerate(numbers)))
+    steps = spherepacking.steps(path)
+    assert steps.times == numbers
+    packing = spherepacking.read(path, time=time)
+    assert (packing.points[0, 0], packing.field_data["TimeValue"][0]) == (x, time)
+    with pytest.raises(ValueError, match=rf"found {numbers[2]}, .* it is that of the steps 2, 3"):
+        spherepacking.read(path, time=numbers[2])
+    assert spherepacking.read(path, step=3).points[0, 0] == 3.0
+    # VTK wants times that increase.
+    reader = pv.get_reader(path)
+    assert reader.time_values == list(range(len(numbers)))
+
+
+def test_an_index_is_no_time(tmp_path):
+    path = tmp_path / "restarted.dump"
+    path.write_text("".join(DUMP.format(step=step, x=0) for step in (0, 100, 200, 200)))
+    with pytest.raises(ValueError, match="found 1, expected one of 0, 100, 200, 200, as"):
+        spherepacking.read(path, time=1)
+    path = xyz(tmp_path / "none.xyz", "", "")
+    assert spherepacking.steps(path).times == []
+    assert len(spherepacking.steps(path)) == 2
+    with pytest.raises(ValueError, match=r"found 1, expected step: .* tells no times"):
+        spherepacking.read(path, time=1)
+
+
+def test_frames_without_a_time_leave_those_of_others(tmp_path):
+    path = xyz(tmp_path / "run.xyz", "Time=0", "Time=0.1", "")
+    np.testing.assert_array_equal(spherepacking.steps(path).times, [0.0, 0.1, np.nan])
+    assert spherepacking.steps(path)[2:].times == []
+    assert spherepacking.read(path, time=0.1).points[0, 0] == 1.0
+    last = spherepacking.read(path, step=2)
+    assert last.points[0, 0] == 2.0
+    assert "TimeValue" not in last.field_data
+    with pytest.raises(ValueError, match=r"found 2, expected one of 0, 0\.1, as"):
+        spherepacking.read(path, time=2)
+
+
+def test_times_of_some_files_of_a_run(tmp_path):
+    """A number in a name is no time beside times that files say."""
+    files = [xyz(tmp_path / "a_1.xyz", "Time=2.5"), xyz(tmp_path / "a_2.xyz", "")]
+    steps = spherepacking.steps(files)
+    np.testing.assert_array_equal(steps.times, [2.5, np.nan])
+    assert [list(p.field_data.get("TimeValue", [])) for p in steps] == [[2.5], []]
+    xyz(files[0], "")
+    assert spherepacking.steps(tmp_path / "a_*.xyz").times == [1.0, 2.0]
+
+
 # --- numbered files -------------------------------------------------------------------------------
 
 

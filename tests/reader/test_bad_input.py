@@ -180,7 +180,7 @@ TEXTS = {
         "ATOM 1 N GLY A 12 1.0 2.0 3.0 0.5\n",
         1,
         "10 columns 'ATOM 1 N GLY A 12 1.0 2.0 3.0 0.5'",
-        "10 to 13 that end with x y z charge radius",
+        "the last of them to be the number of the residue, x y z charge radius",
     ),
     "pqr, short": ("p.pqr", "REMARK\nATOM 1 2\n", 2, "3 columns 'ATOM 1 2'", "10 to 13"),
     "diameter in a comment of another length": (

@@ -1,5 +1,7 @@
 """Formats in which a line has its meaning by its place, against values written down by hand."""
 
+import re
+
 import numpy as np
 import pytest
 
@@ -321,9 +323,46 @@ def test_atoms_without_radii_are_refused(read_error, tmp_path, name, text, found
 def test_charges_and_radii_in_the_columns_of_a_pdb_file(read_text, read_error, tmp_path):
     charged = PDB.replace("0.50 12.25", "-0.50 1.25").replace("  -0.50", " -0.50")
     assert read_text(charged, "p.txt")["charge"].tolist() == [1, -0.5]
-    # The name decides where nothing else does.
-    assert read_text(PDB, "p.pqr")["radius"].tolist() == [9.5, 12.25]
-    assert read_text(PDB, "p.pdb", fmt="PQR")["radius"].tolist() == [9.5, 12.25]
+    # The name says that it is one, but the numbers may not be.
+    (tmp_path / "p.pqr").write_text(PDB)
+    message, _ = read_error(tmp_path / "p.pqr")
+    assert "p.pqr, line 2: found occupancy and temperature factor (B-factor) in" in message
+    assert message.endswith("expected charge and radius; rename the file to .pdb if it is one")
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        re.sub(" +[NC]  $", "", PDB, flags=re.MULTILINE),  # old files have no elements
+        re.sub(" {11}([NC])  $", r"      PRO1 \1", PDB, flags=re.MULTILINE),  # segments
+        "REMARK   3   VDW PROBE RADII: 1.2\n" + PDB.replace("1.00 ", "0.25 "),
+        "MODEL        1\n" + PDB.replace("END", "ENDMDL\nMODEL 2\nATOM 1 N A 1 1 2 3 -9 1"),
+        PDB.replace("\n", "\r\n"),
+    ],
+)
+def test_pdb_files_by_the_name_of_pqr(read_error, tmp_path, text):
+    (tmp_path / "p.pqr").write_text(text)
+    assert "found occupancy and temperature factor" in read_error(tmp_path / "p.pqr")[0]
+
+
+@pytest.mark.parametrize(
+    ("text", "charges"),
+    [
+        (PDB.replace(" 0.50", "-0.50"), [1, -0.5]),
+        (PDB.replace(" 0.50", " 1.05"), [1, 1.05]),
+        ("REMARK    The B-factors in this file hold atomic radii\n" + PDB, [1, 0.5]),
+        # The columns of other programs: %8.4f %7.4f, %8.3f %8.3f, %8.2f %7.2f.
+        (PDB.replace("  1.00  9.50", "  1.0000 9.5000").replace("  0.50", "  0.5000"), [1, 0.5]),
+        (PDB.replace("  1.00  9.50", "   1.000   9.500"), [1, 0.5]),
+        (PDB.replace("  1.00  9.50", "    1.00   9.50"), [1, 0.5]),
+        # Two decimals, but neither an element nor an occupancy in full.
+        (re.sub(" +[NC]  $", "", PDB.replace("1.00 ", "0.25 "), flags=re.MULTILINE), [0.25, 0.5]),
+    ],
+)
+def test_charges_and_radii_that_look_like_those_of_a_pdb_file(read_text, text, charges):
+    packing = read_text(text, "p.pqr")
+    assert packing["charge"].tolist() == charges
+    assert packing["radius"].tolist() == [9.5, 12.25]
 
 
 @pytest.mark.parametrize(
@@ -444,10 +483,12 @@ def test_bad_files(read_error, tmp_path, case):
     assert found in before and expected in after
 
 
-@pytest.mark.parametrize("text", [TREE, DOCK, HOLE, SWC, GEO, MDPA], ids=lambda t: t[:9])
+@pytest.mark.parametrize(
+    "text", [TREE + "Options\n", DOCK, HOLE, SWC, GEO, MDPA], ids=lambda t: t[:9]
+)
 @pytest.mark.parametrize("end", ["\r\n", "\r"], ids=["crlf", "cr"])
 def test_line_ends_and_no_last_one(read_text, text, end):
-    name = "p.sph" if text == TREE else "p.txt"
+    name = "p.sph" if text.startswith(TREE) else "p.txt"
     packing = read_text(text, name)
     other = read_text("\ufeff" + text.rstrip("\n").replace("\n", end), name)
     assert other.points.tolist() == packing.points.tolist()

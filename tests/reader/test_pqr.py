@@ -191,9 +191,9 @@ BAD = {
         "ATOM      2  N   ALA A   1      -0.750  -1.125  -0.375  0.1414\n",
         2,
         "10 columns",
-        "10 to 13",
+        "the last of them to be the number of the residue, x y z charge radius",
     ),
-    "cut after z": (ALANINE[:54], 2, "9 columns", "x y z charge radius"),
+    "cut after z": (ALANINE[:54] + "\n", 2, "9 columns", "x y z charge radius"),
     "touching, not in columns": (
         "ATOM 2 O HOH 1236 1234.5672200.5003103.250 -0.8340 1.6612\n",
         2,
@@ -204,10 +204,16 @@ BAD = {
         "ATOM 2 N GLY 1 1.5 2.5 3.5 0.16 1.7 9\n",
         2,
         "11 columns",
-        "10 to 13 that end with x y z charge radius",
+        "the last of them to be the number of the residue, x y z charge radius",
     ),
     "numbers too many": ("ATOM 2 N GLY A 1 1 2 3 0.1 1.5 7 8 9\n", 2, "14 columns", "10 to 13"),
     "not finite": ("ATOM 2 N GLY A 1 1 2 inf 0.1 1.5\n", 2, "'inf' as z", "a finite number"),
+    "stars": (
+        "ATOM 2 N GLY A 1 1 2 3 0.1 ****\n",
+        2,
+        "'****' as radius in a record that ends with x y z charge radius and perhaps an element",
+        "a number",
+    ),
     "no charge": ("ATOM 2 N GLY A 1 1 2 3 none 1.5\n", 2, "'none' as charge", "a number"),
     "negative": ("ATOM 2 N GLY A 1 1 2 3 0.1 -1.5\n", 2, "'-1.5' as radius", "not negative"),
     "text at the end": ("ATOM 2 N GLY A 1 1 2 3 0.1 1.5 NX x\n", 2, "'NX' as radius", "a number"),
@@ -275,7 +281,8 @@ def blanks_of(atom, *, element):
 @settings(max_examples=40, deadline=None)
 @given(atoms=st.lists(ATOMS, min_size=1, max_size=40))
 def test_any_atom(read_text, form, element, atoms):
-    packing = read_text("\n".join(form(atom, element=element) for atom in atoms), "p.pqr")
+    text = "".join(form(atom, element=element) + "\n" for atom in atoms)
+    packing = read_text(text, "p.pqr")
     # The quotients of integers are the numbers that the text holds, rounded to the nearest.
     spheres = [(*(v / 1000 for v in a["center"]), a["radius"] / 10000) for a in atoms]
     check(packing, spheres, [a["charge"] / 10000 for a in atoms])

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+import pyvista as pv
 from test_dump import step
 
 ROW = "1.5 2.5 3.5 0.25"
@@ -52,6 +53,68 @@ def test_values(tmp_path, read_steps, name, numbers, values):
     assert [packing.field_data["TimeValue"][0] for packing in packings] == numbers
     for packing in packings:
         assert packing["radius"].tolist() == [0.25, 0.15]
+
+
+@pytest.mark.parametrize("name", FORMATS)
+def test_the_numbers_of_the_file(tmp_path, reader_for, name):
+    (tmp_path / name).write_text(FORMATS[name](0, 100, 100, 50))
+    reader = reader_for(tmp_path / name)
+    reader.UpdateInformation()
+    assert list(pv.convert_array(reader.GetStepTimes())) == [0, 100, 100, 50]
+    (tmp_path / "p.spheres").write_text(ROW)
+    reader.SetFileName(str(tmp_path / "p.spheres"))
+    reader.UpdateInformation()
+    assert reader.GetStepTimes().GetNumberOfTuples() == 0
+
+
+@pytest.mark.parametrize(
+    ("comments", "times"),
+    [
+        (["", "Time=7", ""], [np.nan, 7, np.nan]),
+        (["", ""], [np.nan, np.nan]),
+        # What all have goes before what some have; what increases goes before both.
+        (["Time=1 Step=5", "Step=5"], [5, 5]),
+        (["Time=1 Step=5", "Time=1 Step=6"], [5, 6]),
+        (["Time=1 Step=5", "Time=1 Step=5"], [1, 1]),
+    ],
+)
+def test_numbers_that_are_missing(tmp_path, reader_for, comments, times):
+    (tmp_path / "p.xyz").write_text(xyz(*comments))
+    reader = reader_for(tmp_path / "p.xyz")
+    reader.UpdateInformation()
+    np.testing.assert_array_equal(pv.convert_array(reader.GetStepTimes()), times)
+
+
+TIMED = [f"ITEM: TIME\n{time}\n" + dump(number) for time, number in ((0.5, 0), (1.5, 100))]
+
+
+@pytest.mark.parametrize(
+    ("text", "times"),
+    [
+        ("".join(TIMED), [0.5, 1.5]),
+        ("ITEM: UNITS\nlj\n" + "".join(TIMED).replace("\n", "\r\n"), [0.5, 1.5]),
+        # Times that are rounded to the same, or appended to a run without.
+        ("".join(TIMED).replace("1.5\nITEM", "0.5\nITEM"), [0, 100]),
+        (dump(0) + TIMED[1] + "ITEM: TIME\n2.5\n" + dump(200), [0, 100, 200]),
+        (dump(0) + "".join(TIMED), [0, 0, 100]),
+        # Another title.
+        (dump(0).replace("\n0\n", "\n0\nITEM: TIMER\n0.5\n", 1), [0]),
+        ("".join(TIMED) + "ITEM: TIME\n2.5", [0.5, 1.5]),
+        ("".join(TIMED) + "ITEM: TIME\n2.5\n", [0.5, 1.5]),
+    ],
+)
+def test_times_of_dumps(tmp_path, read_steps, text, times):
+    """As ``dump_modify time yes`` of LAMMPS writes them."""
+    (tmp_path / "p.dump").write_bytes(text.encode())
+    _, packings = read_steps(tmp_path / "p.dump")
+    assert [packing.field_data["TimeValue"][0] for packing in packings] == times
+    assert [packing["radius"].tolist() for packing in packings] == [[0.25, 0.15]] * len(times)
+
+
+def test_a_damaged_time(tmp_path, read_error):
+    (tmp_path / "p.dump").write_text("ITEM: TIME\n0,5\n" + dump(0))
+    message, _ = read_error(tmp_path / "p.dump")
+    assert "p.dump, line 2: found '0,5', expected the time" in message
 
 
 def test_steps_of_one_number_are_told_apart(tmp_path, read_steps):

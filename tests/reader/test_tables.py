@@ -435,3 +435,40 @@ def test_more_columns_than_any_packing_has(refused, begin):
     separator = "," if "," in begin else " "
     message = refused(begin + separator.join(["0.5"] * 32769) + "\n")
     assert message == ": found 32769 columns, expected at most 32768"
+
+
+# --- IMD ------------------------------------------------------------------------------------------
+
+IMD = """#F A 1 0 0 3 0 1
+#C number x y z Radius
+#X 4.0 0.0 0.0
+#Y 0.5 5.0 0.0
+#Z 0.0 -1 6.0
+## Generated on Sat Nov 28 06:57:26 2026
+#E
+1 2.5 3.5 4.5 0.25
+"""
+
+
+def test_the_box_of_imd(read_text):
+    packing = read_text(IMD, "p.imd")
+    assert spheres(packing) == [[2.5, 3.5, 4.5, 0.25]]
+    data = packing.field_data
+    assert data["cell_vectors"].tolist() == [[4, 0, 0], [0.5, 5, 0], [0, -1, 6]]
+    assert data["cell_origin"].tolist() == [0, 0, 0]
+    assert data["cell_periodic"].tolist() == [1, 1, 1]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [IMD.replace("#Y 0.5 5.0 0.0\n", ""), IMD.replace("#F A 1", "# 1"), IMD.replace("X", "Q")],
+)
+def test_no_box_without_all_of_it(read_text, text):
+    assert read_text(text, "p.imd").field_data.keys() == []
+
+
+@pytest.mark.parametrize("bad", ["4.0 0.0", "4.0 0.0 x", "4.0 0.0 0.0 1", "4.0 nan 0"])
+def test_a_damaged_box_of_imd(read_error, tmp_path, bad):
+    (tmp_path / "p.imd").write_text(IMD.replace("4.0 0.0 0.0", bad))
+    message, _ = read_error(tmp_path / "p.imd")
+    assert f"line 3: found '#X {bad}', expected the three numbers of a vector" in message

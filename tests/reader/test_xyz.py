@@ -98,8 +98,7 @@ def test_a_lattice_alone_is_periodic(read_text):
     assert packing.field_data["cell_origin"].tolist() == [0, 0, 0]
 
 
-def test_blank_lines_between_frames_and_no_line_end_after_one(read_text, tmp_path, read_steps):
-    assert read_text(extended(PROPERTIES)[:-1], "p.xyz").n_points == 2
+def test_blank_lines_between_frames(tmp_path, read_steps):
     text = "\n" + extended(PROPERTIES) + "\n \n" + extended(PROPERTIES) + "\n\n"
     (tmp_path / "p.xyz").write_text(text)
     times, packings = read_steps(tmp_path / "p.xyz")
@@ -128,6 +127,18 @@ def test_plain_xyz_with_names_given(read_text):
 
 BAD = {
     "plain": ("1\nmade up\nC 1 2 3\n", 2, "no Properties in 'made up', so no radius", "radius:R:1"),
+    "plain, a column more": (
+        "1\nmade up\nC 1 2 3 0.5\n",
+        2,
+        "no Properties in 'made up', so no radius",
+        'radius:R:1, or columns="element x y z r" (--columns) if the columns are these',
+    ),
+    "plain, four numbers": (
+        "1\nx y z r\n1 2 3 0.5\n",
+        2,
+        "no Properties in 'x y z r', so no radius",
+        'radius:R:1, or columns="x y z r" (--columns) if the columns are these',
+    ),
     "no radius": (
         extended("Properties=species:S:1:pos:R:3:vel:R:1"),
         2,

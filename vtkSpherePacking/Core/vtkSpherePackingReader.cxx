@@ -8,9 +8,12 @@
 #include "io/TimeStepCache.h"
 
 #include "vtkDataObject.h"
+#include "vtkDoubleArray.h"
 #include "vtkErrorCode.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -89,6 +92,7 @@ class vtkSpherePackingReader::Internals
 {
 public:
   TimeStepCache Steps;
+  vtkNew<vtkDoubleArray> StepTimes;
 };
 
 vtkStandardNewMacro(vtkSpherePackingReader);
@@ -128,6 +132,7 @@ int vtkSpherePackingReader::RequestInformation(
   vtkInformation* outInfo = outputVector->GetInformationObject(0);
   outInfo->Remove(SDDP::TIME_STEPS());
   outInfo->Remove(SDDP::TIME_RANGE());
+  this->Internal->StepTimes->Initialize();
   if (!this->FileName)
   {
     return 1;
@@ -140,7 +145,12 @@ int vtkSpherePackingReader::RequestInformation(
     {
       return;
     }
-    const std::vector<double>& times = this->Internal->Steps.Find(format, this->FileName).Values;
+    const TimeSteps& steps = this->Internal->Steps.Find(format, this->FileName);
+    for (const TimeStep& step : steps.Steps)
+    {
+      this->Internal->StepTimes->InsertNextValue(step.Time.value_or(vtkMath::Nan()));
+    }
+    const std::vector<double>& times = steps.Values;
     const double range[2] = { times.front(), times.back() };
     outInfo->Set(SDDP::TIME_STEPS(), times.data(), static_cast<int>(times.size()));
     outInfo->Set(SDDP::TIME_RANGE(), range, 2);
@@ -148,6 +158,12 @@ int vtkSpherePackingReader::RequestInformation(
   // RequestData() meets the same error.
   RunGuarded(this, this->ErrorMessage, this->OutOfMemory(), work, Report::Later);
   return 1;
+}
+
+//------------------------------------------------------------------------------
+vtkDoubleArray* vtkSpherePackingReader::GetStepTimes() const
+{
+  return this->Internal->StepTimes;
 }
 
 //------------------------------------------------------------------------------

@@ -56,7 +56,7 @@
  * negative radius are left out. Cluster 0 of DOCK holds all spheres before they were clustered. The
  * array `plane` of HOLE is -888 or -999 for spheres that lie beside the planes of the pore, `end`
  * is 1 for those that only bound it. A PDB or mmCIF file, by name or content, is an error, since it
- * has no radii.
+ * has no radii, and so is a .pqr file with occupancies and B-factors in the columns of a PDB file.
  *
  * The diameters of .xyzd are scaled by ((1 - final) / (1 - theoretical porosity))^(1/3) if there is
  * a file of the same name with the extension .nfo in the same folder. Scaled coordinates xs, ys,
@@ -65,18 +65,25 @@
  * The steps of a dump, an extended XYZ or a MercuryDPM file are the time steps of the output;
  * without a request for a time the first is read. Their values are the numbers of the file, if each
  * step has one and these increase. If not, since a run was restarted or the file gives none, they
- * are 0, 1, 2 and so on. The field array `TimeValue` has the file's own number. A step without
- * spheres has no points. A last step that was cut before it says what it is, since the run was
- * stopped, is left out; one that was cut later is an error when it is read.
+ * are 0, 1, 2 and so on. The field array `TimeValue` has the file's own number, GetStepTimes() that
+ * of each step. A dump may have both ITEM: TIME and ITEM: TIMESTEP, an extended XYZ Time, Timestep
+ * and Step: the first of these that increases is taken. A step without spheres has no points. A
+ * last step that was cut before it says what it is, since the run was stopped, is left out; one
+ * that was cut later is an error when it is read.
  *
  * A snapshot of ESyS-Particle is a file that names those with the particles, one per worker of the
  * run; they are looked for beside it. Its time is the number of the step times their length.
  *
- * The simulation cell of a dump, a LAMMPS data file, an extended XYZ or a MercuryDPM file becomes
- * the field arrays `cell_vectors` (three tuples a, b, c), `cell_origin` and `cell_periodic` (1 for
- * periodic). A LAMMPS data file does not say along which axes its cell is periodic and counts as
- * periodic along all, which is LAMMPS's default, a MercuryDPM file along none; in two dimensions
- * that has no cell, and z is 0. Components vx, vy, vz also become one array `velocity`, and so on.
+ * The simulation cell of a file, such as a dump or an extended XYZ, becomes the field arrays
+ * `cell_vectors` (three tuples a, b, c), `cell_origin` and `cell_periodic` (1 for periodic). Files
+ * of LAMMPS data and IMD do not say along which axes their cells are periodic and count as periodic
+ * along all, which is the default of these programs, a MercuryDPM file along none; in two
+ * dimensions that has no cell, and z is 0. Components vx, vy, vz also become one array `velocity`,
+ * and so on.
+ *
+ * A last line without a line end is an error in what only programs write: dumps, LAMMPS data,
+ * MercuryDPM, extended XYZ, IMD, PackLSD, trees of the toolkit and the atoms of PQR. They end every
+ * line, so that the file was cut, perhaps within a number.
  *
  * An error in any line of the file leaves the output empty: one error is reported through
  * vtkErrorMacro, GetErrorCode() is set, and GetErrorMessage() is the sentence that names the file
@@ -103,6 +110,8 @@ class Progress;
 enum class Format;
 struct ReadOptions;
 }
+
+class vtkDoubleArray;
 
 class VTKSPHEREPACKINGCORE_EXPORT vtkSpherePackingReader : public vtkPolyDataAlgorithm
 {
@@ -191,6 +200,13 @@ public:
   vtkGetMacro(RadiusOptional, bool);
   vtkBooleanMacro(RadiusOptional, bool);
   ///@}
+
+  /**
+   * The file's own number of each time step, as of the last UpdateInformation(): its time, or the
+   * number of the time step where the file has no times. NaN where a step has none. Unlike the time
+   * steps of the output they may repeat or run backwards. Empty for formats without time steps.
+   */
+  vtkDoubleArray* GetStepTimes() const;
 
   /**
    * The error of the last update, in one sentence; empty when there was none.

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from decimal import Decimal
+from math import isnan
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -110,7 +111,7 @@ def describe_steps(steps: PackingSteps) -> list[str]:
     times = steps.times
     if not times:
         return [f"steps    {len(steps)}"] if len(steps) > 1 else []
-    shown = [f"{time:.10g}" for time in times]
+    shown = ["-" if isnan(time) else f"{time:.10g}" for time in times]
     if len(shown) > 6:
         shown = [*shown[:3], "...", *shown[-2:]]
     word = "time" if len(times) == 1 else "times"

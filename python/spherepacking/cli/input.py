@@ -77,7 +77,8 @@ def read_step(steps: PackingSteps, path: Path, step: int | None) -> pv.PolyData:
         raise ValueError(f"--{error}") from None
     packing = steps[index]
     if step is None and len(steps) > 1:
-        at = f", of time {steps.times[index]:g}" if steps.times else ""
+        times = steps[index : index + 1].times
+        at = f", of time {times[0]:g}" if times else ""
         print(
             f"spherepacking: {path} has {len(steps)} steps, this is the first{at}; "
             "--step takes another",

@@ -5,6 +5,8 @@ from __future__ import annotations
 from contextlib import nullcontext
 from typing import TYPE_CHECKING
 
+import pyvista as pv
+
 from ..vtk_tools import progress_bar
 from .compressed import Uncompressed, compression_of, inner_name
 from .errors import PackingFileError
@@ -20,8 +22,6 @@ from .vtk_files import INDICES, SINGLE_STEP, VtkFile
 if TYPE_CHECKING:
     from collections.abc import Callable
     from pathlib import Path
-
-    import pyvista as pv
 
     from .source import PackingSource, Request
 
@@ -96,12 +96,14 @@ class _PlainFile:
         self._reader.precision = request.precision
         self._reader.reader.SetColumns(request.columns or "")
         self._reader.reader.SetRadiusOptional(request.radius is not None)
-        self.times = self._reader.time_values
+        # The file's own, while those of VTK are indices where these do not increase.
+        self._has_steps = bool(self._reader.time_values)
+        self.times: list[float] = pv.convert_array(self._reader.reader.GetStepTimes()).tolist()
 
     def read(self, index: int) -> pv.PolyData:
         """Read the packing of a step."""
         reader = self._reader
-        if self.times:
+        if self._has_steps:
             reader.set_active_time_point(index)
         # What was read before belongs to whoever asked for it.
         reader.reader.Modified()

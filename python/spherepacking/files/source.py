@@ -46,7 +46,7 @@ class PackingSource(Protocol):
 
     @property
     def times(self) -> list[float]:
-        """Times of the steps; empty if there is one, of no known time."""
+        """Times of the steps, NaN where a step has none; empty for one step of no known time."""
 
     def read(self, index: int) -> pv.PolyData:
         """Read the packing of a step."""

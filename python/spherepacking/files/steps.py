@@ -48,7 +48,7 @@ def read(
     step : int, optional
         Index of the step to read, negative from the end; by default the first one.
     time : float, optional
-        Instead of `step`, the time of the step to read.
+        Instead of `step`, the time that the file gives the step to read, and no other.
     radius : str, float, array_like or mapping, optional
         Radii, for files without or instead of theirs: the name of a column or array, one number
         for all spheres, one per sphere, or one per type, by numbers of the array ``type`` or by
@@ -170,9 +170,14 @@ class PackingSteps(Sequence[pv.PolyData]):
 
     @property
     def times(self) -> list[float]:
-        """Times of the steps; empty where they are not known."""
+        """Times of the steps as the files give them, or else the numbers of the time steps.
+
+        These may repeat or run backwards where a run was restarted, and are NaN for steps without.
+        Empty if no step has one.
+        """
         times = self._source.times
-        return [times[i] for i in self._indices] if times else []
+        own = [times[i] for i in self._indices] if times else []
+        return [] if all(map(math.isnan, own)) else own
 
     def __len__(self) -> int:
         return len(self._indices)
@@ -230,6 +235,7 @@ class PackingSteps(Sequence[pv.PolyData]):
 
     def _at_time(self, time: float) -> int:
         times = self.times
+        known = [t for t in times if not math.isnan(t)]
         # Times in texts are rounded.
         found = [i for i, t in enumerate(times) if t == time] or [
             i for i, t in enumerate(times) if math.isclose(t, time, rel_tol=1e-9)
@@ -243,11 +249,11 @@ class PackingSteps(Sequence[pv.PolyData]):
             )
         if not times:
             raise ValueError(f"time: found {time:g}, expected step: {self._name} tells no times")
-        if len(times) > 10:
-            near = times[int(np.argmin(np.abs(np.array(times) - time)))]
-            there = f"one of {len(times)} from {min(times):g} to {max(times):g}, such as {near:g}"
+        if len(known) > 10:
+            near = known[int(np.argmin(np.abs(np.array(known) - time)))]
+            there = f"one of {len(known)} from {min(known):g} to {max(known):g}, such as {near:g}"
         else:
-            there = f"one of {', '.join(f'{t:g}' for t in times)}"
+            there = f"one of {', '.join(f'{t:g}' for t in known)}"
         raise ValueError(f"time: found {time:g}, expected {there}, as {self._name} has")
 
 
@@ -260,18 +266,18 @@ class _Series:
         self._opened: tuple[Path, PackingSource] | None = None
         # The entry of each step, the step within its files, and its time.
         self._steps: list[tuple[int, int]] = []
-        times: list[float | None] = []
+        times: list[float] = []
         for i, entry in enumerate(entries):
             own = self._times_in(entry)
             self._steps += [(i, k) for k in range(max(1, len(own)))]
-            times += own or [entry.time]
-        numbers = [entries[i].number for i, _ in self._steps]
-        if None in times:
-            times = numbers if len(numbers) == len(entries) else []
+            times += own or [math.nan if entry.time is None else entry.time]
+        if all(map(math.isnan, times)) and len(self._steps) == len(entries):
+            numbers = [entry.number for entry in entries]
+            times = [math.nan if number is None else float(number) for number in numbers]
         self.count = len(self._steps)
-        self.times = [] if None in times else [float(time) for time in times if time is not None]
+        self.times = times
 
-    def _times_in(self, entry: Entry) -> list[float | None]:
+    def _times_in(self, entry: Entry) -> list[float]:
         """Times that the files of an entry know; empty where the series says the time."""
         if all(has_one_step(file) for file in entry.files):
             return []
@@ -302,6 +308,7 @@ class _Series:
         packing = parts[0] if len(parts) == 1 else centres_of(pv.MultiBlock(parts))
         if packing.n_points:
             packing.set_active_scalars("radius", preference="point")
-        if self.times and "TimeValue" not in packing.field_data:
+        known = not math.isnan(self.times[index])
+        if known and "TimeValue" not in packing.field_data:
             packing.field_data["TimeValue"] = [self.times[index]]
         return packing

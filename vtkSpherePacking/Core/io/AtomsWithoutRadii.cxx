@@ -29,8 +29,7 @@ bool LooksLikePdb(const TextRange& head)
     if (IsAtomRecord(line.data(), line.data() + line.size()))
     {
       double occupancy;
-      any = HoldsCoordinates(line) && HoldsFixedNumber(line, 55, 60, 2) &&
-        HoldsFixedNumber(line, 61, 66, 2) && ParseFinite(PdbColumns(line, 55, 60), occupancy) &&
+      any = HoldsOccupancy(line) && ParseFinite(PdbColumns(line, 55, 60), occupancy) &&
         occupancy >= 0.0 && occupancy <= 1.0;
       if (!any)
       {

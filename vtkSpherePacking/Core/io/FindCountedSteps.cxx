@@ -7,8 +7,6 @@
 #include "io/TimeSteps.h"
 #include "io/XyzComment.h"
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
 #include <optional>
 
@@ -21,38 +19,13 @@ bool IsBlankLine(std::string_view line)
   return line.find_first_not_of(" \t") == line.npos;
 }
 
-/// The numbers by which a step may go, in order of preference.
-using Numbers = std::array<std::optional<double>, 3>;
-
 /// What the lines before the rows of a step say.
 struct StepHead
 {
   bool IsWhole; ///< false if the file ends within them
   vtkIdType Count;
-  Numbers Times;
+  StepNumbers Times;
 };
-
-// Numbers the steps by the first of their numbers that increases, or else by the first that any of
-// them has: LAMMPS writes the time with six decimals, which may all be the same, beside the number
-// of the time step.
-void SetTimes(std::vector<TimeStep>& steps, const std::vector<Numbers>& times)
-{
-  const auto increases = [&](std::size_t which)
-  {
-    return std::adjacent_find(times.begin(), times.end(), [which](const auto& a, const auto& b)
-             { return !b[which] || a[which] >= b[which]; }) == times.end() &&
-      times[0][which];
-  };
-  const auto isThere = [&](std::size_t which)
-  { return std::any_of(times.begin(), times.end(), [which](const auto& t) { return t[which]; }); };
-  std::array<std::size_t, 3> order{ 0, 1, 2 };
-  auto chosen = std::find_if(order.begin(), order.end(), increases);
-  chosen = chosen == order.end() ? std::find_if(order.begin(), order.end(), isThere) : chosen;
-  for (std::size_t i = 0; chosen != order.end() && i < steps.size(); ++i)
-  {
-    steps[i].Time = times[i][*chosen];
-  }
-}
 
 // Finds the steps of a file in which each begins with its number of rows. `readHead` reads the
 // lines before the rows.
@@ -62,7 +35,7 @@ std::vector<TimeStep> FindCountedSteps(const std::string& file, const ReadHead& 
   FileLines lines(file);
   const unsigned long long size = FileBytes::Size(file);
   std::vector<TimeStep> steps;
-  std::vector<Numbers> times;
+  std::vector<StepNumbers> times;
   std::optional<vtkIdType> previous; // first line of the step before
   while (!lines.AtEnd())
   {
@@ -124,7 +97,7 @@ StepHead ReadXyzHead(FileLines& lines, const std::optional<vtkIdType>& previous)
     throw LineError(
       number, "found the end of the file after the number of atoms, expected a comment and atoms");
   }
-  const Numbers times = XyzComment(lines.Read()).Times();
+  const StepNumbers times = XyzComment(lines.Read()).Times();
   const bool isCut = *count > 0 && lines.AtEnd() && lines.EndedWithFile();
   return { !previous || !isCut, *count, times };
 }

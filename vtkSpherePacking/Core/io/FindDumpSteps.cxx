@@ -17,7 +17,10 @@ namespace spherepacking
 {
 namespace
 {
-constexpr std::string_view Title = "ITEM: TIMESTEP";
+// That of ITEM: TIMESTEP, and of ITEM: TIME, which LAMMPS writes before it with dump_modify time
+// yes.
+constexpr std::string_view Title = "ITEM: TIME";
+constexpr std::string_view StepTitle = "ITEM: TIMESTEP";
 // Small enough for a processor's cache, from which a block is searched.
 constexpr std::size_t BlockSize = 1 << 18;
 // By which blocks overlap, so that no title or number is cut in two.
@@ -27,6 +30,8 @@ constexpr std::size_t Overlap = 256;
 struct FoundTitle
 {
   unsigned long long At;
+  bool IsStep;     // ITEM: TIMESTEP, or else ITEM: TIME
+  bool BeforeStep; // ITEM: TIMESTEP follows the number
   std::optional<double> Time;
   bool IsCut;        // the file ends before the line of the number does
   std::string Found; // instead of the number
@@ -44,6 +49,8 @@ void ReadTime(const char* p, const char* end, bool isFileEnd, FoundTitle& title)
   if (after && Separators::Blanks().EndsNumber(*after))
   {
     title.Time = time;
+    const char* const next = SkipLineEnd(lineEnd, end);
+    title.BeforeStep = std::string_view(next, end - next).substr(0, StepTitle.size()) == StepTitle;
   }
   else
   {
@@ -62,9 +69,11 @@ std::vector<FoundTitle> ScanBlock(
     at = text.find(Title, at + Title.size()))
   {
     const char* const p = begin + at;
-    if (IsLineEnd(p[-1]))
+    const bool isStep = text.substr(at, StepTitle.size()) == StepTitle;
+    const char* const after = SkipBlanks(p + Title.size(), end);
+    if (IsLineEnd(p[-1]) && (isStep || after == end || IsLineEnd(*after)))
     {
-      FoundTitle title{ offset + at, std::nullopt, false, {} };
+      FoundTitle title{ offset + at, isStep, false, std::nullopt, false, {} };
       ReadTime(p, end, isFileEnd, title);
       titles.push_back(title);
     }
@@ -106,36 +115,94 @@ std::vector<std::vector<FoundTitle>> ScanFile(const std::string& file, unsigned 
       " and no later step, expected ITEM: TIMESTEP");
 }
 
+/// Makes steps of the titles, which come in the order of the file.
+class StepCollector
+{
+public:
+  StepCollector(const std::string& file, unsigned long long size)
+    : File(file)
+    , Size(size)
+  {
+  }
+
+  /// Whether the titles after this one count.
+  bool Add(const FoundTitle& title)
+  {
+    if (!title.IsStep)
+    {
+      this->AddTime(title);
+      return true;
+    }
+    if (!this->Steps.empty())
+    {
+      this->Steps.back().End = title.At;
+    }
+    if (title.IsCut && !this->Steps.empty())
+    {
+      return false;
+    }
+    if (title.IsCut || !title.Time)
+    {
+      this->Refuse(title, title.IsCut ? "the time step and atoms after it" : "the time step");
+    }
+    this->Steps.push_back({ std::nullopt, title.At, this->Size });
+    this->Numbers.push_back({ this->TimeBefore, title.Time });
+    this->TimeBefore.reset();
+    return true;
+  }
+
+  std::vector<TimeStep> Take()
+  {
+    if (this->Steps.empty())
+    {
+      ThrowNoStep(this->File);
+    }
+    SetTimes(this->Steps, this->Numbers);
+    return std::move(this->Steps);
+  }
+
+private:
+  // Without a step after it the run was stopped there.
+  void AddTime(const FoundTitle& title)
+  {
+    if (!title.IsCut && !title.Time)
+    {
+      this->Refuse(title, "the time");
+    }
+    if (title.BeforeStep)
+    {
+      this->TimeBefore = title.Time;
+    }
+  }
+
+  [[noreturn]] void Refuse(const FoundTitle& title, const std::string& expected) const
+  {
+    throw LineError(LineBlocks(this->File, 0, this->Size).LinesBefore(title.At) + 2,
+      "found " + (title.IsCut ? "the end of the file" : title.Found) + ", expected " + expected);
+  }
+
+  const std::string& File;
+  unsigned long long Size;
+  std::optional<double> TimeBefore;
+  std::vector<TimeStep> Steps;
+  std::vector<StepNumbers> Numbers;
+};
+
 std::vector<TimeStep> JoinBlocks(const std::vector<std::vector<FoundTitle>>& blocks,
   const std::string& file, unsigned long long size)
 {
-  std::vector<TimeStep> steps;
+  StepCollector steps(file, size);
   for (const std::vector<FoundTitle>& titles : blocks)
   {
     for (const FoundTitle& title : titles)
     {
-      if (!steps.empty())
+      if (!steps.Add(title))
       {
-        steps.back().End = title.At;
+        return steps.Take();
       }
-      if (title.IsCut && !steps.empty())
-      {
-        return steps;
-      }
-      if (title.IsCut || !title.Time)
-      {
-        throw LineError(LineBlocks(file, 0, size).LinesBefore(title.At) + 2,
-          "found " + (title.IsCut ? "the end of the file" : title.Found) +
-            ", expected the time step" + (title.IsCut ? " and atoms after it" : ""));
-      }
-      steps.push_back({ title.Time, title.At, size });
     }
   }
-  if (steps.empty())
-  {
-    ThrowNoStep(file);
-  }
-  return steps;
+  return steps.Take();
 }
 }
 

@@ -93,6 +93,20 @@ inline bool HoldsCoordinates(std::string_view line)
   return line.size() >= 54 && IsBlank(line[29]) && HoldsFixedNumber(line, 31, 38, 3) &&
     HoldsFixedNumber(line, 39, 46, 3) && HoldsFixedNumber(line, 47, 54, 3);
 }
+
+/// Whether two numbers stand after them as the guide has occupancy and temperature factor, 55 to 60
+/// and 61 to 66, F6.2 each.
+inline bool HoldsOccupancy(std::string_view line)
+{
+  return HoldsCoordinates(line) && HoldsFixedNumber(line, 55, 60, 2) &&
+    HoldsFixedNumber(line, 61, 66, 2);
+}
+
+/// Whether an element stands where the guide has it, right-justified in the columns 77 and 78.
+inline bool HoldsElement(std::string_view line)
+{
+  return line.size() >= 78 && IsLetter(line[77]) && (IsLetter(line[76]) || line[76] == ' ');
+}
 }
 
 #endif

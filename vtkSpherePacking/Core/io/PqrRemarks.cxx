@@ -24,13 +24,11 @@ int ColumnOf(const std::string& remark, const char* what)
   }
   return column;
 }
-}
 
-//------------------------------------------------------------------------------
-bool SaysRadiusFirst(const TextRange& text)
+// Calls `see` for each remark before the first atom, in lower case.
+template <typename See>
+void ForEachRemark(const TextRange& text, const See& see)
 {
-  int radius = 0;
-  int charge = 0;
   LineFinder find(text.End);
   for (const char* p = text.Begin; p != text.End;)
   {
@@ -44,11 +42,36 @@ bool SaysRadiusFirst(const TextRange& text)
       std::string remark(p, end);
       std::transform(remark.begin(), remark.end(), remark.begin(),
         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-      radius = std::max(radius, ColumnOf(remark, "radi"));
-      charge = std::max(charge, ColumnOf(remark, "charge"));
+      see(remark);
     }
     p = SkipLineEnd(end, text.End);
   }
+}
+}
+
+//------------------------------------------------------------------------------
+bool SaysRadiusFirst(const TextRange& text)
+{
+  int radius = 0;
+  int charge = 0;
+  ForEachRemark(text,
+    [&](const std::string& remark)
+    {
+      radius = std::max(radius, ColumnOf(remark, "radi"));
+      charge = std::max(charge, ColumnOf(remark, "charge"));
+    });
   return radius > 0 && radius < charge;
+}
+
+//------------------------------------------------------------------------------
+bool SaysRadiiInBFactors(const TextRange& text)
+{
+  bool says = false;
+  ForEachRemark(text,
+    [&](const std::string& remark)
+    {
+      says = says || (remark.find("b-factor") != remark.npos && remark.find("radi") != remark.npos);
+    });
+  return says;
 }
 }

@@ -11,6 +11,8 @@ namespace spherepacking
 /// charge comes first.
 bool SaysRadiusFirst(const TextRange& text);
 
+/// Whether a REMARK says that the B-factors are radii, as GROMACS writes.
+bool SaysRadiiInBFactors(const TextRange& text);
 }
 
 #endif

@@ -27,7 +27,10 @@ PackingArrays ParseDump(
   {
     arrays.SetCell(*header.Cell);
   }
-  arrays.SetTime(*step.Time);
+  if (step.Time)
+  {
+    arrays.SetTime(*step.Time);
+  }
   return arrays;
 }
 }

@@ -5,6 +5,7 @@
 #include "io/PackingFileError.h"
 #include "io/PackingFormats.h"
 #include "io/SphereFields.h"
+#include "io/TextTable.h"
 #include "io/Utf8Mark.h"
 
 #include <algorithm>
@@ -48,6 +49,7 @@ PackingArrays ParsePackLsd(const TextRange& text, bool single, Progress& progres
   {
     scanner.Refuse("the end of the file after " + std::to_string(header.Count) + " spheres");
   }
+  CheckNotCut(text);
   if (spheres.empty())
   {
     ThrowNoSphere("lines of " + expected);

@@ -6,8 +6,10 @@
 #include "io/PrintableText.h"
 #include "io/PackingFormats.h"
 #include "io/PdbModels.h"
+#include "io/PdbNamedPqr.h"
 #include "io/PqrRemarks.h"
 #include "io/TextChunks.h"
+#include "io/TextTable.h"
 #include "io/Utf8Mark.h"
 
 #include <algorithm>
@@ -20,7 +22,9 @@ namespace spherepacking
 {
 namespace
 {
-constexpr char Expected[] = "10 to 13 that end with x y z charge radius and perhaps an element";
+constexpr char Tail[] = "x y z charge radius and perhaps an element";
+constexpr std::size_t Fewest = 10;
+constexpr std::size_t Most = 13;
 
 // What is wrong with a line, and where.
 struct BadLine
@@ -80,8 +84,14 @@ std::string DescribeFault(AtomFault fault, std::string_view line)
     count += !IsBlank(c) && !within;
     within = !IsBlank(c);
   }
-  return "found " + std::to_string(count) + (count == 1 ? " column " : " columns ") + quoted +
-    ", expected " + Expected;
+  const std::string found =
+    "found " + std::to_string(count) + (count == 1 ? " column " : " columns ") + quoted;
+  if (count >= Fewest && count <= Most)
+  {
+    return found + ", expected the last of them to be the number of the residue, " + Tail;
+  }
+  return found + ", expected " + std::to_string(Fewest) + " to " + std::to_string(Most) +
+    " that end with " + Tail;
 }
 
 // Parses `field`; if it is no such number, sets what is wrong with it.
@@ -100,8 +110,8 @@ bool ParseField(std::string_view field, const char* name, T& value, std::string&
   }
   if (expected)
   {
-    what =
-      "found " + QuoteField(field) + " as " + name + " (" + Expected + "), expected " + expected;
+    what = "found " + QuoteField(field) + " as " + name + " in a record that ends with " + Tail +
+      ", expected " + expected;
   }
   return !expected;
 }
@@ -166,8 +176,8 @@ private:
     }
     if (this->To.Radii[row] < 0)
     {
-      what = "found " + QuoteField(radius) + " as radius (" + Expected +
-        "), expected a number that is not negative";
+      what = "found " + QuoteField(radius) + " as radius in a record that ends with " + Tail +
+        ", expected a number that is not negative";
       return false;
     }
     this->Name(record, row);
@@ -253,6 +263,23 @@ void ParseInto(
   }
 }
 
+// Programs end every line of an atom, though not all that of END.
+void CheckLastAtomNotCut(const TextRange& text)
+{
+  const char* last = text.End;
+  while (last != text.Begin && !IsLineEnd(last[-1]))
+  {
+    --last;
+  }
+  const std::string_view line(last, text.End - last);
+  const auto begins = [line](std::string_view record)
+  { return !line.empty() && record.substr(0, line.size()) == line; };
+  if (IsAtomRecord(last, text.End) || begins("ATOM") || begins("HETATM"))
+  {
+    CheckNotCut(text);
+  }
+}
+
 PackingArrays ParsePqr(const FileBytes& bytes, const ReadOptions& options, Progress& progress)
 {
   progress.SetRange(0.2, 0.3);
@@ -263,6 +290,11 @@ PackingArrays ParsePqr(const FileBytes& bytes, const ReadOptions& options, Progr
   if (count == 0)
   {
     ThrowNoSphere("ATOM or HETATM records that end with x y z charge radius");
+  }
+  RefusePdb(models.First);
+  if (models.First.End == all.End)
+  {
+    CheckLastAtomNotCut(all);
   }
   progress.SetRange(0.3, 1.0);
   PackingArrays arrays(count, options.Single);

@@ -20,6 +20,10 @@ PackingArrays ParseTextTable(
   const FileBytes bytes = ToUtf8(std::move(encoded));
   TextRange text{ SkipUtf8Mark(bytes.Begin(), bytes.End()), bytes.End() };
   const TableLayout layout = DetectTable(format, options, text);
+  if (layout.EndsLines)
+  {
+    CheckNotCut(text);
+  }
   progress.SetRange(0.2, 0.3);
   const auto chunks = CutIntoChunks(text, layout.Rows, options.ChunkSize, 0, progress);
   progress.SetRange(0.3, 1.0);

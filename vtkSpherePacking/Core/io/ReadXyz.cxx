@@ -195,6 +195,15 @@ std::vector<Column> PlainColumns(const std::vector<std::string_view>& row)
   return columns;
 }
 
+// How to say that rows have radii though nobody names them.
+std::string ColumnsHint(const std::vector<std::string_view>& row)
+{
+  const bool named = !row.empty() && !IsNumber(row[0]);
+  return row.size() < 4 + named ? ""
+                                : std::string(", or columns=\"") + (named ? "element " : "") +
+      "x y z r\" (--columns) if the columns are these";
+}
+
 TableLayout ReadLayout(const FrameHead& head, const ReadOptions& options)
 {
   TableLayout layout;
@@ -215,11 +224,11 @@ TableLayout ReadLayout(const FrameHead& head, const ReadOptions& options)
   layout.Expected = DescribeColumns(layout.Columns);
   if (!HasRadius(layout.Columns) && !options.RadiusOptional)
   {
-    throw ContentError(properties
-        ? "found Properties without a radius, " +
+    throw ContentError(properties ? "found Properties without a radius, " +
           Quote(properties->data(), properties->data() + properties->size()) + ", expected " +
           Wanted
-        : "found no Properties in " + head.Lines.Quoted() + ", so no radius, expected " + Wanted);
+                                  : "found no Properties in " + head.Lines.Quoted() +
+          ", so no radius, expected " + Wanted + ColumnsHint(row));
   }
   return layout;
 }
@@ -231,8 +240,8 @@ PackingArrays ParseXyz(
   while (!HasHead(blocks.Text()) && blocks.Grow())
   {
   }
-  // People write files of one frame, too, and may leave out the last line end.
-  const bool mustEndLines = step.Begin > 0;
+  // People write plain files of one frame, too, and may leave out the last line end.
+  bool mustEndLines = step.Begin > 0;
   TableLayout layout;
   std::optional<SimulationCell> cell;
   const FrameHead head = blocks.AddLines(
@@ -246,7 +255,9 @@ PackingArrays ParseXyz(
       try
       {
         layout = ReadLayout(found, options);
-        cell = XyzComment(found.Lines.Line()).Cell();
+        const XyzComment comment(found.Lines.Line());
+        cell = comment.Cell();
+        mustEndLines = mustEndLines || comment.Properties();
       }
       catch (const ContentError& error)
       {

@@ -124,6 +124,7 @@ private:
     }
     MarkTextColumns(this->Layout, row.Begin);
     this->Layout.Cell = this->Head.Cell;
+    this->Layout.EndsLines = this->Head.EndsLines;
   }
 
   void SkipHeader()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/TableHead.h"
 
+#include "io/ImdHeader.h"
 #include "io/Number.h"
 #include "io/PackingFileError.h"
 #include "io/PackingFormats.h"
@@ -78,6 +79,7 @@ TableHead FindHead(const TextRange& text)
     {
       head.Row = { first, end, number };
       CheckColumnCount(CountFields(View(head.Row)));
+      ReadImdHeader(head);
       return head;
     }
     if (first != end)

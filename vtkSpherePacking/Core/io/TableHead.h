@@ -16,7 +16,8 @@ struct TableHead
 {
   std::vector<TextRange> Comments;    ///< without blank ones
   std::string_view YadeNames;         ///< the field after #format of YADE, or empty
-  std::optional<SimulationCell> Cell; ///< after ##PERIODIC:: of YADE
+  std::optional<SimulationCell> Cell; ///< after ##PERIODIC:: of YADE, or of IMD
+  bool EndsLines = false;             ///< whether its program ends every line
   TextRange Row{ nullptr, nullptr, 0 };
 };
 

@@ -33,6 +33,7 @@ struct TableLayout
   std::string Expected;              ///< describes the columns, for messages
   Naming Named = Naming::All;
   std::optional<SimulationCell> Cell; ///< that of the packing, where the header gives one
+  bool EndsLines = false;             ///< whether the program ends every line
 };
 
 /// Makes those further columns text that hold anything but a number in the row at `p`; an empty

@@ -2,10 +2,37 @@
 #include "io/TimeSteps.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <numeric>
 
 namespace spherepacking
 {
+//------------------------------------------------------------------------------
+void SetTimes(std::vector<TimeStep>& steps, const std::vector<StepNumbers>& numbers)
+{
+  const auto has = [](std::size_t which)
+  { return [which](const StepNumbers& step) { return step[which].has_value(); }; };
+  const auto allHave = [&](std::size_t which)
+  { return std::all_of(numbers.begin(), numbers.end(), has(which)); };
+  const auto increases = [&](std::size_t which)
+  {
+    return allHave(which) &&
+      std::adjacent_find(numbers.begin(), numbers.end(),
+        [which](const auto& a, const auto& b) { return a[which] >= b[which]; }) == numbers.end();
+  };
+  const auto anyHas = [&](std::size_t which)
+  { return std::any_of(numbers.begin(), numbers.end(), has(which)); };
+
+  const std::array<std::size_t, 3> order{ 0, 1, 2 };
+  auto chosen = std::find_if(order.begin(), order.end(), increases);
+  chosen = chosen == order.end() ? std::find_if(order.begin(), order.end(), allHave) : chosen;
+  chosen = chosen == order.end() ? std::find_if(order.begin(), order.end(), anyHas) : chosen;
+  for (std::size_t i = 0; chosen != order.end() && i < steps.size(); ++i)
+  {
+    steps[i].Time = numbers[i][*chosen];
+  }
+}
+
 //------------------------------------------------------------------------------
 TimeSteps::TimeSteps(std::vector<TimeStep> steps)
   : Steps(std::move(steps))

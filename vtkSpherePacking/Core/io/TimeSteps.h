@@ -4,6 +4,7 @@
 
 #include "io/PackingFormats.h"
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,6 +19,14 @@ struct TimeStep
   unsigned long long Begin;
   unsigned long long End;
 };
+
+/// The numbers that a file gives a step, in order of preference, such as its time and its number.
+using StepNumbers = std::array<std::optional<double>, 3>;
+
+/// Sets the time of each step to the first of its numbers that increases from step to step; or else
+/// to the first that all have, or that any has: LAMMPS writes the time with six decimals, which may
+/// all be the same, beside the number of the time step.
+void SetTimes(std::vector<TimeStep>& steps, const std::vector<StepNumbers>& numbers);
 
 /// The steps of a file, at least one, and the value by which each is asked for: the file's own
 /// numbers if all steps have one and these increase, else 0, 1, 2 and so on. A run that was

@@ -5,6 +5,7 @@
 #include "io/PackingFileError.h"
 #include "io/PackingFormats.h"
 #include "io/SphereFields.h"
+#include "io/TextTable.h"
 
 #include <algorithm>
 
@@ -30,7 +31,8 @@ class TreeScanner
 {
 public:
   explicit TreeScanner(const TextRange& text)
-    : Scanner(text)
+    : Text(text)
+    , Scanner(text)
   {
   }
 
@@ -96,6 +98,7 @@ private:
       const int parent = node == 0 ? -1 : this->Kept[(node - 1) / degree];
       this->AddNode(level, parent);
     }
+    CheckNotCut(this->Text);
   }
 
   void AddNode(int level, int parent)
@@ -125,6 +128,7 @@ private:
     this->Parents.push_back(parent);
   }
 
+  TextRange Text;
   LineScanner Scanner;
   bool HasOccupancy = false;
   std::vector<SphereFields> Spheres;
