@@ -101,7 +101,7 @@ REFUSED = {
     "red in a comment": ("# x y z r g b\n0.5 0 0 255 0 0\n", 1, "'r', which is red"),
     "red over four columns": ("# x y z r g b\n0.5 0 0 255\n", 1, "'r', which is red"),
     "red, small, with opacity": ("x y z r g b a\n0.5 0 0 1 0 0 1\n", 1, "'r', which is red"),
-    "a distance": ("x,y,z,r,theta,phi\n1,0,0,1,1.57,0\n", 1, "angles theta and phi"),
+    "a distance": ("x,y,z,r,theta,phi\n1,0,0,1,1.57,0\n", 1, "an angle such as theta or phi"),
     "two places": ("pos_x,pos_y,pos_z,cx,cy,cz,r\n1,2,3,4,5,6,7\n", 1, "'pos_x' and 'cx'"),
     "two units": ("x [m],y [m],z [m],r [mm]\n1,2,3,4\n", 1, "units of 'x [m]' and 'r [mm]'"),
     "two units behind names": ("# x mm y mm z mm r um\n" + FOUR, 1, "found"),

@@ -3,6 +3,7 @@
 
 #include "io/FitComments.h"
 #include "io/GivenColumns.h"
+#include "io/NameLists.h"
 #include "io/NameMeaning.h"
 #include "io/NamelessColumns.h"
 #include "io/PackingFileError.h"
@@ -264,6 +265,14 @@ private:
       this->Layout.Columns = std::move(fit.Columns);
       return true;
     }
+    for (const TextRange& comment : this->Head.Comments)
+    {
+      if (NamesOtherColumns(View(comment), count))
+      {
+        this->ThrowNames(
+          comment.FirstLine == fit.Line.FirstLine ? fit.Complaint : "", comment, count);
+      }
+    }
     if (fit.What == NamesFit::NoNames)
     {
       this->Layout.Named = Naming::None;
@@ -275,11 +284,17 @@ private:
     {
       return false;
     }
-    if (!fit.Complaint.empty())
+    this->ThrowNames(fit.Complaint, fit.Line, count);
+  }
+
+  [[noreturn]] void ThrowNames(
+    const std::string& complaint, const TextRange& line, std::size_t count) const
+  {
+    if (!complaint.empty())
     {
-      throw LineError(fit.Line.FirstLine, fit.Complaint + ", or " + ColumnsHint);
+      throw LineError(line.FirstLine, complaint + ", or " + ColumnsHint);
     }
-    this->ThrowUnclear(fit.Line, count);
+    this->ThrowUnclear(line, count);
   }
 
   [[noreturn]] void ThrowUnclear(const TextRange& line, std::size_t count) const
@@ -330,15 +345,8 @@ private:
     {
       return Naming::FirstFour;
     }
-    return count == 4 && !IsId(roles[sphere[0] - 1].Name) ? Naming::FourAfterWords : Naming::All;
-  }
-
-  // Whether a word before x is rather the name of a column.
-  static bool IsId(const std::string& name)
-  {
-    static const char* const ids[] = { "id", "ID", "Id", "ids", "index", "Index", "i", "n", "no",
-      "No", "nr", "Nr", "number", "Number", "type", "Type", "tag", "material", "element", "name" };
-    return std::find(std::begin(ids), std::end(ids), name) != std::end(ids);
+    return count == 4 && !IsIdName(roles[sphere[0] - 1].Name) ? Naming::FourAfterWords
+                                                              : Naming::All;
   }
 
   // Throws if the first row is a sentence.

@@ -1,0 +1,136 @@
+"""Comments that list names of columns, in some languages and ways to write them, and later ones."""
+
+import numpy as np
+import pytest
+
+
+def spheres(packing):
+    return np.column_stack([packing.points, packing["radius"]]).tolist()
+
+
+@pytest.fixture
+def refused(read_error, tmp_path):
+    """Read a text that has to be refused: the message without the name of the file."""
+
+    def read(text, name="p.txt", **options):
+        path = tmp_path / name
+        path.write_text(text, encoding="utf-8")
+        message, _ = read_error(path, **options)
+        assert message.startswith(str(path))
+        return message.removeprefix(str(path))
+
+    return read
+
+
+FOUR = "1.5 2.5 3.5 0.5\n4 5 6.5 0.25\n"
+FIVE = "1.5 2.5 3.5 0.5 7.25\n4 5 6.5 0.25 9\n"
+BY_PLACE = [[1.5, 2.5, 3.5, 0.5], [4, 5, 6.5, 0.25]]
+HALVED = [[1.5, 2.5, 3.5, 0.25], [4, 5, 6.5, 0.125]]
+RADIUS_FIRST = [[2.5, 3.5, 0.5, 1.5], [5, 6.5, 0.25, 4]]
+DIAMETER_FIRST = [[2.5, 3.5, 0.5, 0.75], [5, 6.5, 0.25, 2]]
+
+
+@pytest.mark.parametrize(
+    "names", ["Rayon X Y Z", "raggio x y z", "Radio x y z", "Радиус x y z", "半径 x y z"]
+)
+def test_radius_in_other_languages(read_text, names):
+    assert spheres(read_text(f"# {names}\n{FOUR}")) == RADIUS_FIRST
+
+
+def test_names_of_places_in_other_languages(read_text):
+    names = "# Radius X-Koordinate Y-Koordinate Z-Koordinate\n"
+    assert spheres(read_text(names + FOUR)) == RADIUS_FIRST
+
+
+@pytest.mark.parametrize(
+    "names",
+    [
+        "x y z Durchmesser",
+        "x y z diametro",
+        "x y z diámetro",
+        "x y z diamètre",
+        "x y z диаметр",
+        "x y z 直径",
+        "x, y, z, Durchmesser [mm]",
+        "x;y;z;Durchmesser",
+    ],
+)
+def test_diameter_in_other_languages(read_text, names):
+    assert spheres(read_text(f"# {names}\n{FOUR}")) == HALVED
+
+
+def test_diameter_first_in_another_language(read_text):
+    assert spheres(read_text("# Durchmesser x y z\n" + FOUR)) == DIAMETER_FIRST
+
+
+@pytest.mark.parametrize("names", ["Centre(x,y,z) Diameter", "(x, y, z) d", "xyz and diameter"])
+def test_one_name_for_the_position_over_four_columns(read_text, names):
+    assert spheres(read_text(f"# {names}\n{FOUR}")) == HALVED
+
+
+@pytest.mark.parametrize(
+    "names",
+    [
+        "position diameter density",
+        "Positions (x y z), diameter, density",
+        "xyz d rho",
+        "'x' 'y' 'z' 'd' 'rho'",
+        "`x` `y` `z` `d` `rho`",
+        r"$x$ $y$ $z$ $d$ $\rho$",
+    ],
+)
+def test_names_with_a_diameter_over_five_columns(read_text, names):
+    assert spheres(read_text(f"# {names}\n{FIVE}")) == HALVED
+
+
+@pytest.mark.parametrize(
+    "names",
+    ["mass x y z", "t x y z", "d50 x y z", "a x y z", "x y z mass", "x y z type", "x y z id"]
+    + ["x y z T", "x y z 2r", "x y z 2*r", "x y z log(r)", "x y z m", "x, y, z and mass"]
+    + ["vx vy vz r", "theta phi rho r", "lat lon r z", "a b c r"],
+)
+def test_lists_of_other_names_over_four_columns(refused, names):
+    message = refused(f"# made by hand\n# {names}\n# of today\n{FOUR}")
+    assert message.startswith(", line 2: found ")
+    assert 'columns="id x y z r"' in message
+
+
+@pytest.mark.parametrize(
+    "names",
+    ["vx vy vz r m", "particle positions diameter", "sphere centre diameter", "positions m d"]
+    + ["id positions r m"],
+)
+def test_lists_of_other_names_over_five_columns(refused, names):
+    rows = "".join(f"{row} 1\n" for row in FIVE.splitlines()) if names[0] == "p" else FIVE
+    assert refused(f"# {names}\n{rows}").startswith(f", line 1: found the names '# {names}'")
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "the x axis points up",
+        "x axis points up",
+        "spheres in x, y, z and their radius",
+        "made by a script",
+        "packing of spheres radius",
+        "radius of all spheres",
+        "sphere radius 0.5 mm",
+        "x, y, z, radius of the sphere",
+        "x1 x2 x3 r",
+        "x y z and r",
+        "positions and radii",
+        "sphere center radius",
+    ],
+)
+def test_sentences_and_what_fits_by_place(read_text, words):
+    assert spheres(read_text(f"# {words}\n{FOUR}")) == BY_PLACE
+
+
+@pytest.mark.parametrize("angle", ["theta", "phi", "azimuth", "polar", "θ"])
+@pytest.mark.parametrize("begin", ["", "# "])
+def test_r_beside_an_angle_is_a_distance(refused, read_text, angle, begin):
+    for names, rows in (("r {} z x y", "1 2 3 4 5\n"), ("x y z r {}", "4.5 5 3 1 2\n")):
+        text = begin + names.format(angle) + "\n" + rows
+        assert "'r', which is a distance" in refused(text)
+    text = f"{begin}x y z radius {angle}\n4.5 5 3 1 2\n"
+    assert spheres(read_text(text)) == [[4.5, 5, 3, 1]]
