@@ -85,9 +85,25 @@ def test_names_with_a_diameter_over_five_columns(read_text, names):
 
 @pytest.mark.parametrize(
     "names",
-    ["mass x y z", "t x y z", "d50 x y z", "a x y z", "x y z mass", "x y z type", "x y z id"]
-    + ["x y z T", "x y z 2r", "x y z 2*r", "x y z log(r)", "x y z m", "x, y, z and mass"]
-    + ["vx vy vz r", "theta phi rho r", "lat lon r z", "a b c r"],
+    [
+        "mass x y z",
+        "t x y z",
+        "d50 x y z",
+        "a x y z",
+        "x y z mass",
+        "x y z type",
+        "x y z id",
+        "x y z T",
+        "x y z 2r",
+        "x y z 2*r",
+        "x y z log(r)",
+        "x y z m",
+        "x, y, z and mass",
+        "vx vy vz r",
+        "theta phi rho r",
+        "lat lon r z",
+        "a b c r",
+    ],
 )
 def test_lists_of_other_names_over_four_columns(refused, names):
     message = refused(f"# made by hand\n# {names}\n# of today\n{FOUR}")
@@ -97,8 +113,13 @@ def test_lists_of_other_names_over_four_columns(refused, names):
 
 @pytest.mark.parametrize(
     "names",
-    ["vx vy vz r m", "particle positions diameter", "sphere centre diameter", "positions m d"]
-    + ["id positions r m"],
+    [
+        "vx vy vz r m",
+        "particle positions diameter",
+        "sphere centre diameter",
+        "positions m d",
+        "id positions r m",
+    ],
 )
 def test_lists_of_other_names_over_five_columns(refused, names):
     rows = "".join(f"{row} 1\n" for row in FIVE.splitlines()) if names[0] == "p" else FIVE
