@@ -155,3 +155,50 @@ def test_r_beside_an_angle_is_a_distance(refused, read_text, angle, begin):
         assert "'r', which is a distance" in refused(text)
     text = f"{begin}x y z radius {angle}\n4.5 5 3 1 2\n"
     assert spheres(read_text(text)) == [[4.5, 5, 3, 1]]
+
+
+class TestLaterComments:
+    """Names further down, as where two files became one."""
+
+    @pytest.mark.parametrize(
+        ("text", "line"),
+        [
+            ("#format id_x_y_z_r\n1 2 3 4 .5\n#format x_y_z_r_id\n2 3 4 .5 1\n", 3),
+            ("# x y z r t\n1.5 2 3 .5 7\n# r x y z t\n.5 1.5 2 3 7\n", 3),
+            ("x y z r t\n1.5 2 3 .5 7\n\n# r x y z t\n.5 1.5 2 3 7\n", 4),
+            ("# x y z r\n" + FOUR + "# x y z d\n" + FOUR, 4),
+            (FOUR + "# written by hand\n# r x y z\n" + FOUR, 4),
+            (FOUR + "# x y z mass\n" + FOUR, 3),
+            (FOUR + "# r\n# x\n# y\n# z\n" + FOUR, 3),
+            (FOUR + "# positions and diameters\n" + FOUR, 3),
+            ("x,y,z,r\n1,2,3,4\n# x,y,z,diameter\n1,2,3,4\n", 3),
+            ("# x y z r t\n" + FIVE + "# id x y z r\n1 1.5 2 3 .5\n", 4),
+            ("# x y z r t\n" + FIVE + "# id x y z r vx vy\n1 1.5 2 3 .5\n", 4),
+            ("##PERIODIC:: 5 5 5\n" + FOUR + "##PERIODIC:: 5 5 6\n" + FOUR, 4),
+            (FOUR + "##PERIODIC:: 5 5 6\n" + FOUR, 3),
+        ],
+    )
+    @pytest.mark.parametrize("chunk", [1, 9, 1 << 20])
+    def test_that_disagree(self, refused, text, line, chunk):
+        message = refused(text, "p.csv" if text[1] == "," else "p.txt", chunk=chunk)
+        assert message.startswith(f", line {line}: found the comment '#")
+        assert message.endswith("expected the same columns in all rows")
+
+    @pytest.mark.parametrize(
+        "text",
+        [
+            "#format x_y_z_r\n# x y z d\n1.5 2.5 3.5 0.5\n#format x_y_z_r\n# x y z d\n4 5 6.5 0.25\n",
+            "# x y z r\n1.5 2.5 3.5 0.5\n#x, y, z, radius\n4 5 6.5 0.25\n#\n",
+            "1.5 2.5 3.5 0.5\n# the z axis, and y, point up by x\n4 5 6.5 0.25\n",
+            "1.5 2.5 3.5 0.5\n# x y z radius of the rest\n# r of box 5\n4 5 6.5 0.25\n",
+            "1.5 2.5 3.5 0.5\n# 1 2 3 4\n#\n\n4 5 6.5 0.25\n# x y z r",
+            "##PERIODIC:: 5 5 5\n1.5 2.5 3.5 0.5\n##PERIODIC:: 5 5 5\n4 5 6.5 0.25\n",
+        ],
+    )
+    @pytest.mark.parametrize("chunk", [1, 9, 1 << 20])
+    def test_that_agree(self, read_text, text, chunk):
+        assert spheres(read_text(text, chunk=chunk)) == BY_PLACE
+
+    def test_columns_outrank_them(self, read_text):
+        text = "1.5 2.5 3.5 0.5\n# r x y z\n4 5 6.5 0.25\n"
+        assert spheres(read_text(text, columns="x y z r")) == BY_PLACE
