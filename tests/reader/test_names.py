@@ -187,7 +187,7 @@ class TestLaterComments:
     @pytest.mark.parametrize(
         "text",
         [
-            "#format x_y_z_r\n# x y z d\n1.5 2.5 3.5 0.5\n#format x_y_z_r\n# x y z d\n4 5 6.5 0.25\n",
+            "#format x_y_z_r\n# d\n1.5 2.5 3.5 0.5\n#format x_y_z_r\n# x y z d\n4 5 6.5 0.25\n",
             "# x y z r\n1.5 2.5 3.5 0.5\n#x, y, z, radius\n4 5 6.5 0.25\n#\n",
             "1.5 2.5 3.5 0.5\n# the z axis, and y, point up by x\n4 5 6.5 0.25\n",
             "1.5 2.5 3.5 0.5\n# x y z radius of the rest\n# r of box 5\n4 5 6.5 0.25\n",
@@ -202,3 +202,32 @@ class TestLaterComments:
     def test_columns_outrank_them(self, read_text):
         text = "1.5 2.5 3.5 0.5\n# r x y z\n4 5 6.5 0.25\n"
         assert spheres(read_text(text, columns="x y z r")) == BY_PLACE
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "     x    y    z     r\n0  1.5  2.5  3.5  0.50\n1  4.0  5.0  6.5  0.25\n",
+        "     x    y    z     r\n1  1.5  2.5  3.5  0.50\n2  4.0  5.0  6.5  0.25\n",
+        '"x" "y" "z" "r"\n"1" 1.5 2.5 3.5 0.5\n"2" 4 5 6.5 0.25\n',
+        '"x"\t"y"\t"z"\t"r"\n"1"\t1.5\t2.5\t3.5\t0.5\n"2"\t4\t5\t6.5\t0.25\n',
+        '"x","y","z","r"\n"1",1.5,2.5,3.5,0.5\n"2",4,5,6.5,0.25\n',
+        "x y z r\n1 1.5 2.5 3.5 0.5\n2 4 5 6.5 0.25\n3 4 5 6.5 0.25\n",
+    ],
+    ids=["to_string", "from 1", "write.table", "tabs", "commas", "without quotes"],
+)
+def test_an_index_without_a_name(read_text, text):
+    """As DataFrame.to_string of pandas and write.table of R write it by default."""
+    for name in ["p.txt", "p.csv"] if '",' in text or "\t" in text else ["p.txt"]:
+        packing = read_text(text, name)
+        assert spheres(packing)[:2] == BY_PLACE
+        assert packing.array_names == ["radius"]
+
+
+@pytest.mark.parametrize("name", ["p.txt", "p.csv"])
+@pytest.mark.parametrize("second", ["2", "1"])
+def test_what_may_be_an_index_without_a_name(refused, second, name):
+    text = f"x,y,z,r\n1,1.5,2.5,3.5,0.5\n{second},4,5,6.5,0.25\n"
+    message = refused(text, name)
+    assert ("an index without a name" in message) == (second == "2")
+    assert message.startswith(", line 1: found" if second == "2" else ", line 2: found 5 columns")

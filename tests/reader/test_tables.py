@@ -373,13 +373,17 @@ class TestColumns:
         message = refused(text, columns="id x y z r")
         assert message.startswith(f", line {line}: found {found}")
 
-    @pytest.mark.parametrize(
-        "columns", ["id x y z", "x y r", "x y z r radius radius", "r g b x y z"]
-    )
+    @pytest.mark.parametrize("columns", ["x y r", "x y z r radius radius", "r g b x y z"])
     def test_names_that_do_not_do(self, refused, columns):
         message = refused(FIVE, columns=columns)
         assert message.startswith(": columns: found ")
         assert ", expected " in message
+
+    @pytest.mark.parametrize("columns", ["id x y z", "id x y z 2r"])
+    def test_names_without_a_radius(self, refused, columns):
+        message = refused(FIVE, columns=columns)
+        assert message.startswith(f": columns: found no radius in '{columns}', expected one of r,")
+        assert message.endswith("radius= (--radius) to give radii")
 
 
 class TestRadiusOptional:

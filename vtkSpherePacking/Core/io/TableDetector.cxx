@@ -8,6 +8,7 @@
 #include "io/NamelessColumns.h"
 #include "io/PackingFileError.h"
 #include "io/TableHead.h"
+#include "io/UnnamedIndex.h"
 
 #include <algorithm>
 #include <set>
@@ -98,7 +99,12 @@ private:
     if (!numbers || !this->TakeComments(fields.size()))
     {
       this->SkipHeader();
-      this->TakeStrictHeader();
+      const TextRange row = FindRow(this->Text);
+      const std::size_t count = row.Begin ? this->Layout.Between.Split(row.Begin).size() : 0;
+      if (!this->TakeIndexedHeader(count))
+      {
+        this->TakeStrictHeader();
+      }
       MarkTextColumns(this->Layout, FindHead(this->Text).Row.Begin);
     }
   }
@@ -130,6 +136,12 @@ private:
   void SkipHeader()
   {
     const TextRange& row = this->Head.Row;
+    const char* line = row.Begin;
+    while (line != this->Text.Begin && IsBlank(line[-1]))
+    {
+      --line;
+    }
+    this->Indent = row.Begin - line;
     this->Text = { SkipLineEnd(row.End, this->Text.End), this->Text.End, row.FirstLine + 1 };
   }
 
@@ -174,6 +186,44 @@ private:
     this->Layout.Columns = *columns;
   }
 
+  // A header of one name fewer than the `count` columns, if their first is an index: pandas'
+  // to_string and R's write.table give it no name. False if the names do not fit so.
+  bool TakeIndexedHeader(std::size_t count)
+  {
+    const TextRange& header = this->Head.Row;
+    const Separators& between = this->Layout.Between;
+    NamesFit fit;
+    if (!between.IsStrict())
+    {
+      fit = FitNames(View(header), count - 1, this->RadiiAre);
+    }
+    else if (const Fields names = between.Split(header.Begin); names.size() + 1 == count)
+    {
+      auto columns = ColumnsFromNames(names, fit.Complaint, this->RadiiAre);
+      fit.What = columns && fit.Complaint.empty() ? NamesFit::Fits : NamesFit::NoNames;
+      fit.Columns = columns ? std::move(*columns) : std::vector<Column>();
+    }
+    const UnnamedIndex index = fit.What == NamesFit::Fits
+      ? FindIndex(this->Text, between, this->Indent)
+      : UnnamedIndex::None;
+    if (index == UnnamedIndex::None)
+    {
+      return false;
+    }
+    if (index == UnnamedIndex::Possible)
+    {
+      throw LineError(header.FirstLine,
+        "found the " + std::to_string(count - 1) + " names " + QuoteLine(header) +
+          " over rows of " + std::to_string(count) +
+          " columns, of which the first may be an index without a name, expected a name for each "
+          "column, or " +
+          ColumnsHint);
+    }
+    fit.Columns.insert(fit.Columns.begin(), Column{ ColumnRole::Skipped, "-" });
+    this->Layout.Columns = std::move(fit.Columns);
+    return true;
+  }
+
   // A header with delimiters is that of a CSV file by another name. In others blanks may be part
   // of names, and the first row tells how many there are.
   void TakePlainHeader()
@@ -195,7 +245,7 @@ private:
     {
       throw LineError(header.FirstLine, fit.Complaint);
     }
-    else
+    else if (!this->TakeIndexedHeader(count))
     {
       // With tabs between, names and text may have blanks in them.
       const Separators tabs = Separators::Strict('\t');
@@ -372,6 +422,7 @@ private:
   Radii RadiiAre;
   TableHead Head;
   TextRange& Text;
+  std::size_t Indent = 0; // of a header that is no comment
   TableLayout Layout;
 };
 }
