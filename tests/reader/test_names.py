@@ -231,3 +231,18 @@ def test_what_may_be_an_index_without_a_name(refused, second, name):
     message = refused(text, name)
     assert ("an index without a name" in message) == (second == "2")
     assert message.startswith(", line 1: found" if second == "2" else ", line 2: found 5 columns")
+
+
+@pytest.mark.parametrize("name", ["radius_{}", "Radius:{}", "diameter_{}"])
+def test_a_radius_of_three_equal_components(read_text, refused, name):
+    """As ParaView writes an array of three components."""
+    header = ",".join(["Points:0", "Points:1", "Points:2", *map(name.format, range(3)), "m"])
+    packing = read_text(
+        header + '\n1.5,2.5,3.5,0.5,"0.50",.5,7\n4,5,6.5,0.25,0.25,0.25,8\n', "p.csv"
+    )
+    assert spheres(packing) == (HALVED if "dia" in name else BY_PLACE)
+    assert packing.array_names == ["radius", "m"]
+    rows = "1.5,2.5,3.5,0.5,0.5,0.5,7\n4,5,6.5,0.25,0.25,{},8\n"
+    for other in ("0.5", "", "a"):
+        message = refused(header + "\n" + rows.format(other), "p.csv")
+        assert message.startswith(", line 3: found a radius of different components in '4,5,")

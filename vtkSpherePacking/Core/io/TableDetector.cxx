@@ -7,6 +7,7 @@
 #include "io/NameMeaning.h"
 #include "io/NamelessColumns.h"
 #include "io/PackingFileError.h"
+#include "io/SizeComponents.h"
 #include "io/TableHead.h"
 #include "io/UnnamedIndex.h"
 
@@ -170,7 +171,14 @@ private:
   void TakeStrictHeader()
   {
     const TextRange& line = this->Head.Row;
-    const Fields names = WithoutNumbers(this->Layout.Between.Split(line.Begin));
+    Fields names = WithoutNumbers(this->Layout.Between.Split(line.Begin));
+    const auto components =
+      this->RadiiAre == Radii::Required ? FindSizeComponents(names) : std::nullopt;
+    if (components)
+    {
+      CheckSizeComponents(this->Text, this->Layout.Between, *components);
+      names[*components].remove_suffix(2);
+    }
     std::string complaint;
     const auto columns = ColumnsFromNames(names, complaint, this->RadiiAre);
     if (!columns)
@@ -184,6 +192,10 @@ private:
       throw LineError(line.FirstLine, complaint);
     }
     this->Layout.Columns = *columns;
+    for (std::size_t i = 1; components && i < 3; ++i)
+    {
+      this->Layout.Columns[*components + i].Role = ColumnRole::Skipped;
+    }
   }
 
   // A header of one name fewer than the `count` columns, if their first is an index: pandas'
