@@ -246,3 +246,10 @@ def test_a_radius_of_three_equal_components(read_text, refused, name):
     for other in ("0.5", "", "a"):
         message = refused(header + "\n" + rows.format(other), "p.csv")
         assert message.startswith(", line 3: found a radius of different components in '4,5,")
+
+
+@pytest.mark.parametrize("name", ["p.csv", "p.txt"])
+@pytest.mark.parametrize("separator", ";,\t")
+def test_the_separator_line_of_excel(read_text, separator, name):
+    text = "sep=;\r\nx;y;z;r\r\n1.5;2.5;3.5;0.5\r\n4;5;6.5;0.25\r\n".replace(";", separator)
+    assert spheres(read_text(text, name)) == BY_PLACE

@@ -76,6 +76,7 @@ public:
 
   TableLayout Detect()
   {
+    this->SkipSeparatorLine();
     if (this->FormatIs == Format::Csv)
     {
       this->DetectCsv();
@@ -132,6 +133,17 @@ private:
     }
     MarkTextColumns(this->Layout, row.Begin);
     this->Layout.Cell = this->Head.Cell;
+  }
+
+  // Excel's first line "sep=;" says what separates fields, which the header shows, too.
+  void SkipSeparatorLine()
+  {
+    const std::string_view row = View(this->Head.Row);
+    if (row.size() == 5 && row.substr(0, 4) == "sep=")
+    {
+      this->SkipHeader();
+      this->Head = FindHead(this->Text);
+    }
   }
 
   void SkipHeader()
