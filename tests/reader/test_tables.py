@@ -96,12 +96,17 @@ REFUSED = {
         1,
         "numbers of the rows",
     ),
+    "ids by savetxt": (
+        "".join(f"{i:.18e} {i * i + 0.5:.18e} {-i:.18e} 3e+00 5e-01\n" for i in (1, 2, 3)),
+        1,
+        "numbers of the rows",
+    ),
     "ids over four columns": ("# of spheres x y z r\n1 2.5 3 4\n2 3.5 4 5\n", 2, "ids"),
     "red": ("X,Y,Z,R,G,B\n0.5,0,0,255,0,0\n", 1, "'R', which is red"),
     "red in a comment": ("# x y z r g b\n0.5 0 0 255 0 0\n", 1, "'r', which is red"),
     "red over four columns": ("# x y z r g b\n0.5 0 0 255\n", 1, "'r', which is red"),
     "red, small, with opacity": ("x y z r g b a\n0.5 0 0 1 0 0 1\n", 1, "'r', which is red"),
-    "a distance": ("x,y,z,r,theta,phi\n1,0,0,1,1.57,0\n", 1, "angles theta and phi"),
+    "a distance": ("x,y,z,r,theta,phi\n1,0,0,1,1.57,0\n", 1, "an angle such as theta or phi"),
     "two places": ("pos_x,pos_y,pos_z,cx,cy,cz,r\n1,2,3,4,5,6,7\n", 1, "'pos_x' and 'cx'"),
     "two units": ("x [m],y [m],z [m],r [mm]\n1,2,3,4\n", 1, "units of 'x [m]' and 'r [mm]'"),
     "two units behind names": ("# x mm y mm z mm r um\n" + FOUR, 1, "found"),
@@ -119,6 +124,12 @@ REFUSED = {
         "number of the 3 rows",
     ),
     "a count and a box around 0": ("2 4 4 4\n-1.5 1.5 0 0.5\n2 0 0 0.5\n", 1, "the 2 rows"),
+    "a box and a count": ("10.0 10.0 10.0 2\n" + FOUR.replace("1", "0"), 1, "the 2 rows"),
+    "bounds and a count": (
+        "0 10 0 10 0 10 2\n1.5 2 3 0.5 0 0 0\n4.5 5 6 0.5 0 0 0\n",
+        1,
+        "number of the 2 rows",
+    ),
     "a count and bounds": (
         "2 0 10 0 10 0 10\n1.5 2 3 0.5 0 0 0\n4.5 5 6 0.5 0 0 0\n",
         1,
@@ -255,10 +266,21 @@ def test_whole_numbers_at_both_ends_of_xyzr(refused):
         "-1 0 0 0.5 7.5\n0 0 0 0.5 8\n1 0 0 0.5 9\n",
         "1.0 0.5 0 0.5 7\n2.0 0.5 0 0.5 8\n",
         "1 0.5 0 0.5 7\n2e0 0.5 0 0.5 8\n",
+        "0e0 0 0 0.5 7\n1e0 1 1 0.5 8\n2e0 2 2 0.5 8\n",
+        "1e0 0.5 0 0.5 7\n3e0 1.5 0 0.5 8\n2e0 2.5 0 0.5 8\n",
         "".join(f"{i}.0 1.5 2.5 0.5 7\n" for i in range(1, 20)),
         "".join(f"{2 * i}.0 {i}.5 2.5 0.5 7\n" for i in range(1, 20)),
     ],
-    ids=["a lattice", "a sign", "points", "an exponent", "a row", "every second"],
+    ids=[
+        "a lattice",
+        "a sign",
+        "points",
+        "an exponent",
+        "whole",
+        "not in turn",
+        "a row",
+        "every second",
+    ],
 )
 def test_what_is_no_id(read_text, rows):
     expected = [[float(field) for field in row.split()[:4]] for row in rows.splitlines()]
@@ -351,13 +373,17 @@ class TestColumns:
         message = refused(text, columns="id x y z r")
         assert message.startswith(f", line {line}: found {found}")
 
-    @pytest.mark.parametrize(
-        "columns", ["id x y z", "x y r", "x y z r radius radius", "r g b x y z"]
-    )
+    @pytest.mark.parametrize("columns", ["x y r", "x y z r radius radius", "r g b x y z"])
     def test_names_that_do_not_do(self, refused, columns):
         message = refused(FIVE, columns=columns)
         assert message.startswith(": columns: found ")
         assert ", expected " in message
+
+    @pytest.mark.parametrize("columns", ["id x y z", "id x y z 2r"])
+    def test_names_without_a_radius(self, refused, columns):
+        message = refused(FIVE, columns=columns)
+        assert message.startswith(f": columns: found no radius in '{columns}', expected one of r,")
+        assert message.endswith("radius= (--radius) to give radii")
 
 
 class TestRadiusOptional:

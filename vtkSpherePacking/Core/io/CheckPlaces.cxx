@@ -73,19 +73,17 @@ void CheckFirstColumn(const TextRange& text, const TableLayout& layout)
   }
 }
 
-// Throws if x numbers eight rows or more, which are not in a line along x. NumPy's savetxt writes
-// ids with a point, as all numbers.
+// Throws if x numbers eight rows or more, which are not in a line along x, or three or more in
+// turn, beside y or z that are not whole. NumPy's savetxt writes ids with a point, as all numbers.
 template <typename Real>
 void CheckNumbers(const TextRange& text, const TableLayout& layout, const PackingArrays& arrays)
 {
   const vtkIdType count = arrays.GetCount();
   const Real* const centers = arrays.Centers<Real>();
-  if (count < 8)
-  {
-    return;
-  }
   std::vector<bool> seen(count + 1);
   bool line = true;
+  bool inTurn = true;
+  bool fractions = false;
   for (vtkIdType i = 0; i < count; ++i)
   {
     const Real x = centers[3 * i];
@@ -95,8 +93,12 @@ void CheckNumbers(const TextRange& text, const TableLayout& layout, const Packin
     }
     seen[static_cast<std::size_t>(x)] = true;
     line &= centers[3 * i + 1] == centers[1] && centers[3 * i + 2] == centers[2];
+    inTurn &= x == centers[0] + Real(i);
+    fractions |= std::floor(centers[3 * i + 1]) != centers[3 * i + 1] ||
+      std::floor(centers[3 * i + 2]) != centers[3 * i + 2];
   }
-  if (!line && (!seen[0] || !seen[count]))
+  const bool enough = count >= 8 || (count >= 3 && inTurn && fractions);
+  if (enough && !line && (!seen[0] || !seen[count]))
   {
     ThrowIds("the numbers of the rows", layout, FindRow(text));
   }
@@ -143,23 +145,34 @@ bool LieInBox(const PackingArrays& arrays, const Bounds& box)
   return true;
 }
 
-// Throws if the first row holds the number of the others and three lengths or six bounds of a box
-// that they lie in.
+// Throws if the first row holds the number of the others before or behind three lengths or six
+// bounds of a box that they lie in.
 void CheckFirstRow(const TextRange& text, const PackingArrays& arrays)
 {
   const TextRange row = FindRow(text);
   const Fields fields = Separators::Liberal().Split(row.Begin);
   const std::string count = std::to_string(arrays.GetCount() - 1);
-  if (arrays.GetCount() < 2 || fields[0] != count || fields.size() > 7)
+  if (arrays.GetCount() < 2 || fields.size() > 7 ||
+    (fields.front() != count && fields.back() != count))
   {
     return;
   }
-  std::vector<double> numbers(fields.size() - 1);
-  for (std::size_t i = 1; i < fields.size(); ++i)
+  std::vector<double> numbers(fields.size());
+  for (std::size_t i = 0; i < fields.size(); ++i)
   {
-    ParseNumber(fields[i].data(), fields[i].data() + fields[i].size(), numbers[i - 1]);
+    ParseNumber(fields[i].data(), fields[i].data() + fields[i].size(), numbers[i]);
   }
-  for (const Bounds& box : BoxesOf(numbers))
+  std::vector<Bounds> boxes;
+  if (fields.front() == count)
+  {
+    boxes = BoxesOf({ numbers.begin() + 1, numbers.end() });
+  }
+  if (fields.back() == count)
+  {
+    const auto behind = BoxesOf({ numbers.begin(), numbers.end() - 1 });
+    boxes.insert(boxes.end(), behind.begin(), behind.end());
+  }
+  for (const Bounds& box : boxes)
   {
     if (arrays.IsSingle() ? LieInBox<float>(arrays, box) : LieInBox<double>(arrays, box))
     {

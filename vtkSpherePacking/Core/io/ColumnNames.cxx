@@ -68,7 +68,7 @@ private:
     this->Complaint = this->Complaint.empty() ? sentence : this->Complaint;
   }
 
-  // R beside G and B is red, r beside two angles is the distance from the origin.
+  // R beside G and B is red, r beside an angle is the distance from the origin or an axis.
   void RejectColorsAndDistances()
   {
     std::array<bool, NameMeaning::Kinds> has{};
@@ -77,7 +77,7 @@ private:
       has[meaning.What] = true;
     }
     const bool color = has[NameMeaning::Green] && has[NameMeaning::Blue];
-    const bool distance = has[NameMeaning::PolarAngle] && has[NameMeaning::Azimuth];
+    const bool distance = has[NameMeaning::PolarAngle] || has[NameMeaning::Azimuth];
     if (!color && !distance)
     {
       return;
@@ -90,7 +90,8 @@ private:
       {
         this->Rejected = "found " + QuoteName(this->Names[i]) +
           (red ? ", which is red beside green and blue, a color"
-               : ", which is the distance from the origin beside the angles theta and phi") +
+               : ", which is a distance from the origin or an axis beside an angle such as theta "
+                 "or phi") +
           ", expected a column radius or diameter";
         meaning.What = NameMeaning::Other;
       }

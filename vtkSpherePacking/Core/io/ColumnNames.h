@@ -26,8 +26,8 @@ enum class Radii
  * "particle radius"; without one the diameter is found likewise, and beside a radius it is a
  * further column. Units may follow in brackets, or without (x_mm), if they are one and the same.
  *
- * R beside G and B is red, and r beside the angles theta and phi is a distance; neither is a
- * radius.
+ * R beside G and B is red, and r beside an angle such as theta or phi is a distance; neither is
+ * a radius.
  *
  * Returns nothing if a coordinate or both radius and diameter are missing. Sets `complaint`, a
  * sentence "found ..., expected ...", if two names mean one thing or the radius is none.

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/FitNames.h"
 
+#include "io/NameLists.h"
 #include "io/NameMeaning.h"
 #include "io/PackingFileError.h"
 #include "io/SplitNames.h"
+#include "io/TableLayout.h"
 
 #include <algorithm>
 #include <array>
@@ -277,6 +279,28 @@ private:
 };
 }
 
+namespace
+{
+// Names among which one stands for all coordinates.
+NamesFit FitPosition(std::string_view line, std::size_t count, Radii radii)
+{
+  const SpelledNames spelled = SpellPosition(line);
+  if (spelled.Names.empty())
+  {
+    return {};
+  }
+  Readings readings(count, radii);
+  readings.TryWords(Names(spelled.Names.begin(), spelled.Names.end()));
+  if (spelled.IsClear && readings.Fit())
+  {
+    return readings.Result();
+  }
+  NamesFit fit;
+  fit.What = spelled.RadiusFollows ? NamesFit::NoNames : NamesFit::Unclear;
+  return fit;
+}
+}
+
 //------------------------------------------------------------------------------
 std::vector<std::string_view> NameWords(std::string_view line)
 {
@@ -296,7 +320,7 @@ bool NamesSomeOfSphere(const std::vector<std::string_view>& words, std::size_t c
   bool numbered = false;
   for (std::string_view word : words)
   {
-    const bool hasNumber = LeadingNumber(word, word).has_value();
+    const bool hasNumber = !IsNumber(word) && LeadingNumber(word, word).has_value();
     const NameMeaning meaning = MeaningOfName(word);
     const bool axis = meaning.What == NameMeaning::Coordinate;
     const bool size = meaning.What == NameMeaning::Radius || meaning.What == NameMeaning::Diameter;
@@ -311,6 +335,12 @@ bool NamesSomeOfSphere(const std::vector<std::string_view>& words, std::size_t c
   }
   const auto names = std::count(named.begin(), named.end(), true);
   return names >= (count > 4 || !others ? 2 : 3) || (numbered && names > 0);
+}
+
+//------------------------------------------------------------------------------
+bool NamesOtherColumns(std::string_view line, std::size_t count)
+{
+  return ListOtherColumns(NameWords(line), count) || ListOtherColumns(SplitWords(line), count);
 }
 
 //------------------------------------------------------------------------------
@@ -377,6 +407,10 @@ NamesFit FitNames(std::string_view line, std::size_t count, Radii radii)
     return { NamesFit::Unclear, {},
       "found several units of length in " + Quote(line.data(), line.data() + line.size()) +
         ", expected one for coordinates and radii" };
+  }
+  if (fit.What == NamesFit::NoNames)
+  {
+    fit = FitPosition(line, count, radii);
   }
   std::string complaint;
   if (fit.What == NamesFit::NoNames &&

@@ -36,6 +36,10 @@ std::vector<std::string_view> NameWords(std::string_view line);
 /// one if the columns have numbers.
 bool NamesSomeOfSphere(const std::vector<std::string_view>& words, std::size_t count);
 
+/// Whether `line` lists names of `count` columns, with or without units, that are not x, y, z and
+/// radius.
+bool NamesOtherColumns(std::string_view line, std::size_t count);
+
 /// Whether the brackets right behind names of the sphere hold units of different lengths.
 bool HasTwoUnits(std::string_view line);
 

@@ -68,6 +68,13 @@ std::vector<Column> GivenColumns(const ReadOptions& options)
 
   std::string complaint;
   const auto found = ColumnsFromNames(wanted, complaint, RadiiOf(options));
+  std::string unused;
+  if (!found && ColumnsFromNames(wanted, unused, Radii::Optional))
+  {
+    throw ContentError("columns: found no radius in " +
+      Quote(text.data(), text.data() + text.size()) +
+      ", expected one of r, radius, d, diameter; or radius= (--radius) to give radii");
+  }
   if (!found || !complaint.empty())
   {
     throw ContentError(!complaint.empty()

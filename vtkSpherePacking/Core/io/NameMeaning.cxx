@@ -73,7 +73,8 @@ bool IsPlace(std::string_view word)
 {
   static const Words places{ "pos", "position", "positions", "center", "centre", "centers",
     "centres", "coord", "coords", "coordinate", "coordinates", "point", "points", "centroid",
-    "centroids", "location", "loc", "com", "c" };
+    "centroids", "location", "loc", "com", "c", "koordinate", "koordinaten", "mittelpunkt",
+    "coordinata", "coordenada" };
   return places.count(word) > 0;
 }
 
@@ -117,8 +118,21 @@ void FindSize(const std::string& plain, NameMeaning& meaning)
     Words Short;
   };
   static const std::array<Size, 2> sizes{
-    { { NameMeaning::Radius, { "radius", "radii" }, { "r", "rad" } },
-      { NameMeaning::Diameter, { "diameter", "diameters" }, { "d", "diam" } } }
+    { { NameMeaning::Radius,
+        { "radius", "radii", "rayon", "raggio", "radio",
+          "\xD1\x80\xD0\xB0\xD0\xB4\xD0\xB8\xD1\x83\xD1\x81", // Russian
+          "\xD0\xA0\xD0\xB0\xD0\xB4\xD0\xB8\xD1\x83\xD1\x81",
+          "\xE5\x8D\x8A\xE5\xBE\x84" }, // Chinese
+        { "r", "rad" } },
+      { NameMeaning::Diameter,
+        { "diameter", "diameters", "durchmesser", "diametro", "diametre",
+          "diam\xC3\xA8"
+          "tre",
+          "di\xC3\xA1metro",
+          "\xD0\xB4\xD0\xB8\xD0\xB0\xD0\xBC\xD0\xB5\xD1\x82\xD1\x80", // Russian
+          "\xD0\x94\xD0\xB8\xD0\xB0\xD0\xBC\xD0\xB5\xD1\x82\xD1\x80",
+          "\xE7\x9B\xB4\xE5\xBE\x84" }, // Chinese
+        { "d", "diam" } } }
   };
   const std::string_view view = plain;
   const std::size_t cut = view.rfind('_');
@@ -185,6 +199,14 @@ NameMeaning MeaningOfName(std::string_view name)
     meaning.Family += '_' + meaning.Unit;
   }
   return meaning;
+}
+
+//------------------------------------------------------------------------------
+bool IsPosition(std::string_view name)
+{
+  NameMeaning unused;
+  const std::string plain = PlainWords(TakeUnit(name, unused));
+  return plain == "xyz" || (IsPlace(plain) && plain != "c" && plain != "com");
 }
 
 //------------------------------------------------------------------------------

@@ -43,6 +43,9 @@ constexpr const char* PlainFamily = "*";
 
 NameMeaning MeaningOfName(std::string_view name);
 
+/// Whether a name stands for all three coordinates, such as position or xyz.
+bool IsPosition(std::string_view name);
+
 /// The unit of length that a word is, in one spelling, or nothing.
 std::string LengthUnit(std::string_view word);
 

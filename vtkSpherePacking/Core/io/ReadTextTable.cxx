@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/CheckPlaces.h"
 #include "io/FileBytes.h"
+#include "io/GivenColumns.h"
+#include "io/LaterNames.h"
 #include "io/PackingFileError.h"
 #include "io/PackingFormats.h"
 #include "io/TableDetector.h"
@@ -26,6 +28,10 @@ PackingArrays ParseTextTable(
   }
   progress.SetRange(0.2, 0.3);
   const auto chunks = CutIntoChunks(text, layout.Rows, options.ChunkSize, 0, progress);
+  if (options.Columns.empty())
+  {
+    CheckLaterNames(text, chunks, layout, RadiiOf(options));
+  }
   progress.SetRange(0.3, 1.0);
   PackingArrays arrays = ParseTable(bytes.End(), layout, chunks, options.Single, progress);
   CheckPlaces(text, layout, arrays);

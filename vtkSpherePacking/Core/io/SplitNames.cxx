@@ -65,7 +65,8 @@ std::vector<std::string_view> SplitNames(std::string_view line, Between between)
   const auto take = [&](std::size_t end)
   {
     std::string_view name = Trim(line.substr(begin, end - begin));
-    if (name.size() >= 2 && name.front() == '"' && name.back() == '"')
+    if (name.size() >= 2 && name.front() == name.back() &&
+      std::string_view("\"'`$").find(name.front()) != std::string_view::npos)
     {
       name = name.substr(1, name.size() - 2);
     }

@@ -3,10 +3,13 @@
 
 #include "io/FitComments.h"
 #include "io/GivenColumns.h"
+#include "io/NameLists.h"
 #include "io/NameMeaning.h"
 #include "io/NamelessColumns.h"
 #include "io/PackingFileError.h"
+#include "io/SizeComponents.h"
 #include "io/TableHead.h"
+#include "io/UnnamedIndex.h"
 
 #include <algorithm>
 #include <set>
@@ -73,6 +76,7 @@ public:
 
   TableLayout Detect()
   {
+    this->SkipSeparatorLine();
     if (this->FormatIs == Format::Csv)
     {
       this->DetectCsv();
@@ -97,7 +101,12 @@ private:
     if (!numbers || !this->TakeComments(fields.size()))
     {
       this->SkipHeader();
-      this->TakeStrictHeader();
+      const TextRange row = FindRow(this->Text);
+      const std::size_t count = row.Begin ? this->Layout.Between.Split(row.Begin).size() : 0;
+      if (!this->TakeIndexedHeader(count))
+      {
+        this->TakeStrictHeader();
+      }
       MarkTextColumns(this->Layout, FindHead(this->Text).Row.Begin);
     }
   }
@@ -127,9 +136,26 @@ private:
     this->Layout.EndsLines = this->Head.EndsLines;
   }
 
+  // Excel's first line "sep=;" says what separates fields, which the header shows, too.
+  void SkipSeparatorLine()
+  {
+    const std::string_view row = View(this->Head.Row);
+    if (row.size() == 5 && row.substr(0, 4) == "sep=")
+    {
+      this->SkipHeader();
+      this->Head = FindHead(this->Text);
+    }
+  }
+
   void SkipHeader()
   {
     const TextRange& row = this->Head.Row;
+    const char* line = row.Begin;
+    while (line != this->Text.Begin && IsBlank(line[-1]))
+    {
+      --line;
+    }
+    this->Indent = row.Begin - line;
     this->Text = { SkipLineEnd(row.End, this->Text.End), this->Text.End, row.FirstLine + 1 };
   }
 
@@ -158,7 +184,14 @@ private:
   void TakeStrictHeader()
   {
     const TextRange& line = this->Head.Row;
-    const Fields names = WithoutNumbers(this->Layout.Between.Split(line.Begin));
+    Fields names = WithoutNumbers(this->Layout.Between.Split(line.Begin));
+    const auto components =
+      this->RadiiAre == Radii::Required ? FindSizeComponents(names) : std::nullopt;
+    if (components)
+    {
+      CheckSizeComponents(this->Text, this->Layout.Between, *components);
+      names[*components].remove_suffix(2);
+    }
     std::string complaint;
     const auto columns = ColumnsFromNames(names, complaint, this->RadiiAre);
     if (!columns)
@@ -172,6 +205,48 @@ private:
       throw LineError(line.FirstLine, complaint);
     }
     this->Layout.Columns = *columns;
+    for (std::size_t i = 1; components && i < 3; ++i)
+    {
+      this->Layout.Columns[*components + i].Role = ColumnRole::Skipped;
+    }
+  }
+
+  // A header of one name fewer than the `count` columns, if their first is an index: pandas'
+  // to_string and R's write.table give it no name. False if the names do not fit so.
+  bool TakeIndexedHeader(std::size_t count)
+  {
+    const TextRange& header = this->Head.Row;
+    const Separators& between = this->Layout.Between;
+    NamesFit fit;
+    if (!between.IsStrict())
+    {
+      fit = FitNames(View(header), count - 1, this->RadiiAre);
+    }
+    else if (const Fields names = between.Split(header.Begin); names.size() + 1 == count)
+    {
+      auto columns = ColumnsFromNames(names, fit.Complaint, this->RadiiAre);
+      fit.What = columns && fit.Complaint.empty() ? NamesFit::Fits : NamesFit::NoNames;
+      fit.Columns = columns ? std::move(*columns) : std::vector<Column>();
+    }
+    const UnnamedIndex index = fit.What == NamesFit::Fits
+      ? FindIndex(this->Text, between, this->Indent)
+      : UnnamedIndex::None;
+    if (index == UnnamedIndex::None)
+    {
+      return false;
+    }
+    if (index == UnnamedIndex::Possible)
+    {
+      throw LineError(header.FirstLine,
+        "found the " + std::to_string(count - 1) + " names " + QuoteLine(header) +
+          " over rows of " + std::to_string(count) +
+          " columns, of which the first may be an index without a name, expected a name for each "
+          "column, or " +
+          ColumnsHint);
+    }
+    fit.Columns.insert(fit.Columns.begin(), Column{ ColumnRole::Skipped, "-" });
+    this->Layout.Columns = std::move(fit.Columns);
+    return true;
   }
 
   // A header with delimiters is that of a CSV file by another name. In others blanks may be part
@@ -195,7 +270,7 @@ private:
     {
       throw LineError(header.FirstLine, fit.Complaint);
     }
-    else
+    else if (!this->TakeIndexedHeader(count))
     {
       // With tabs between, names and text may have blanks in them.
       const Separators tabs = Separators::Strict('\t');
@@ -265,6 +340,14 @@ private:
       this->Layout.Columns = std::move(fit.Columns);
       return true;
     }
+    for (const TextRange& comment : this->Head.Comments)
+    {
+      if (NamesOtherColumns(View(comment), count))
+      {
+        this->ThrowNames(
+          comment.FirstLine == fit.Line.FirstLine ? fit.Complaint : "", comment, count);
+      }
+    }
     if (fit.What == NamesFit::NoNames)
     {
       this->Layout.Named = Naming::None;
@@ -276,11 +359,17 @@ private:
     {
       return false;
     }
-    if (!fit.Complaint.empty())
+    this->ThrowNames(fit.Complaint, fit.Line, count);
+  }
+
+  [[noreturn]] void ThrowNames(
+    const std::string& complaint, const TextRange& line, std::size_t count) const
+  {
+    if (!complaint.empty())
     {
-      throw LineError(fit.Line.FirstLine, fit.Complaint + ", or " + ColumnsHint);
+      throw LineError(line.FirstLine, complaint + ", or " + ColumnsHint);
     }
-    this->ThrowUnclear(fit.Line, count);
+    this->ThrowUnclear(line, count);
   }
 
   [[noreturn]] void ThrowUnclear(const TextRange& line, std::size_t count) const
@@ -331,15 +420,8 @@ private:
     {
       return Naming::FirstFour;
     }
-    return count == 4 && !IsId(roles[sphere[0] - 1].Name) ? Naming::FourAfterWords : Naming::All;
-  }
-
-  // Whether a word before x is rather the name of a column.
-  static bool IsId(const std::string& name)
-  {
-    static const char* const ids[] = { "id", "ID", "Id", "ids", "index", "Index", "i", "n", "no",
-      "No", "nr", "Nr", "number", "Number", "type", "Type", "tag", "material", "element", "name" };
-    return std::find(std::begin(ids), std::end(ids), name) != std::end(ids);
+    return count == 4 && !IsIdName(roles[sphere[0] - 1].Name) ? Naming::FourAfterWords
+                                                              : Naming::All;
   }
 
   // Throws if the first row is a sentence.
@@ -365,6 +447,7 @@ private:
   Radii RadiiAre;
   TableHead Head;
   TextRange& Text;
+  std::size_t Indent = 0; // of a header that is no comment
   TableLayout Layout;
 };
 }

@@ -84,12 +84,18 @@ TableHead FindHead(const TextRange& text)
     }
     if (first != end)
     {
-      head.Comments.push_back({ first, end, number });
-      ReadYadeLine(head.Comments.back(), head);
+      AddComment({ first, end, number }, head);
     }
     p = SkipLineEnd(end, text.End);
   }
   ThrowNoSphere("lines of x y z radius");
+}
+
+//------------------------------------------------------------------------------
+void AddComment(const TextRange& comment, TableHead& head)
+{
+  head.Comments.push_back(comment);
+  ReadYadeLine(comment, head);
 }
 
 //------------------------------------------------------------------------------

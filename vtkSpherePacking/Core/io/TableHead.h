@@ -24,6 +24,9 @@ struct TableHead
 /// Throws if `text` has no line but comments.
 TableHead FindHead(const TextRange& text);
 
+/// Appends a comment that is not blank, and what it says in the language of YADE.
+void AddComment(const TextRange& comment, TableHead& head);
+
 /// The first line that is no comment, or one that begins nowhere.
 TextRange FindRow(const TextRange& text);
 
