@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import numbers
 import operator
+import os
 from typing import TYPE_CHECKING, NamedTuple, overload
 
 import numpy as np
@@ -59,6 +60,11 @@ LARGEST_RAY_SAMPLES = 16
 """Rays along a side of a pixel: more than 16 x 16 make no difference that 8 bits show."""
 STEP_LIMITS = Limits(0.001, 60.0)
 """Seconds between two steps of a live picture: a shorter one shows nothing new."""
+
+
+def half_of_memory() -> int:
+    """Half of the machine's memory in bytes, the most that one result may take."""
+    return os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE") // 2
 
 
 def kind_of(value: object) -> str:

@@ -9,7 +9,7 @@ import pyvista as pv
 
 from .checks import kind_of
 from .packing import check_radii, no_such_array
-from .radii import given_radii, radii_from, radius_name_in
+from .radii import given_radii, holds_diameters, radii_from, radius_name_in
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -94,7 +94,7 @@ def with_radius_array(packing: pv.PolyData, radius: RadiusLike | None) -> pv.Pol
             if packing.n_points:
                 raise no_such_array("radius", "radius", packing)
             return packing
-        values = radii_from(name, packing.point_data[name], found=True)
+        values = radii_from(name, packing.point_data[name])
     else:
         values = given_radii(packing, radius)
     if values is not packing.point_data.get("radius"):
@@ -144,7 +144,7 @@ def _is_plain(packing: pv.PolyData, name: str) -> bool:
     array = packing.GetPointData().GetAbstractArray(name)
     if array is None:
         return name not in packing.cell_data
-    return array.GetNumberOfComponents() == 1 and not name.lower().startswith("diameter")
+    return array.GetNumberOfComponents() == 1 and not holds_diameters(name)
 
 
 # --- points of datasets ---------------------------------------------------------------------------
