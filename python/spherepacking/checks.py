@@ -93,6 +93,14 @@ def above_zero(name: str, value: float) -> float:
         raise ValueError(f"{name}: found {value!r}, expected a number above 0") from None
 
 
+def integer_of(name: str, value: int) -> int:
+    """`value` as an integer, or a TypeError; neither text nor truth value."""
+    try:
+        return operator.index(None if isinstance(value, bool) else value)  # type: ignore[arg-type]
+    except TypeError:
+        raise TypeError(f"{name}: found {value!r}, expected an integer") from None
+
+
 def count_of(name: str, value: int, least: int = 1, most: int = LARGEST_INT) -> int:
     """`value` as an integer from `least` to `most`, or a TypeError or ValueError."""
     try:

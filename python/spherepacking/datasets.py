@@ -86,17 +86,22 @@ def with_radius_array(packing: pv.PolyData, radius: RadiusLike | None) -> pv.Pol
     Returns
     -------
     pyvista.PolyData
-        `packing`.
+        `packing`. The array of one without points is empty.
     """
-    if radius is None:
+    if radius is not None:
+        values = given_radii(packing, radius)
+    elif packing.n_points:
         name = radius_name_in(packing.point_data.keys())
         if name is None:
-            if packing.n_points:
-                raise no_such_array("radius", "radius", packing)
-            return packing
+            raise no_such_array("radius", "radius", packing)
         values = radii_from(name, packing.point_data[name])
     else:
-        values = given_radii(packing, radius)
+        values = np.empty(0)
+    if not packing.n_points:
+        if "radius" not in packing.point_data:
+            # PyVista takes no empty array.
+            packing.GetPointData().AddArray(pv.convert_array(values, name="radius"))
+        return packing
     if values is not packing.point_data.get("radius"):
         active = packing.point_data.active_scalars_name
         packing.point_data["radius"] = values

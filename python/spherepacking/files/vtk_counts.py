@@ -21,8 +21,14 @@ if TYPE_CHECKING:
 _LARGEST_RATIO = 1032
 # A point or value takes so many bytes in memory, at least.
 _LEAST_SIZE = 8
-_XML = re.compile(rb"NumberOf(?:Points|Cells|Verts|Lines|Strips|Polys|Tuples)\s*=\s*[\"'](-?\d+)")
-_EXTENT = re.compile(rb"Extent\s*=\s*[\"'](-?\d+(?:\s+-?\d+){5})")
+_XML = re.compile(
+    rb"NumberOf(?:Points|Cells|Verts|Lines|Strips|Polys|Tuples)\s*=\s*[\"']\s*([-+]?\d+)"
+)
+_PIECE = re.compile(rb"NumberOf(Points|Cells|Verts|Lines|Strips|Polys)\s*=\s*[\"']\s*\+?(\d+)")
+# What arrays belong to, and arrays.
+_TAG = re.compile(rb"<(Piece|PointData|CellData|Points|FieldData|Coordinates|P?DataArray)\b([^>]*)")
+_COMPONENTS = re.compile(rb"NumberOfComponents\s*=\s*[\"']\s*([-+]?\d+)")
+_EXTENT = re.compile(rb"Extent\s*=\s*[\"']\s*([-+]?\d+(?:\s+[-+]?\d+){5})")
 
 
 def check_counts(path: Path) -> None:
@@ -60,4 +66,22 @@ def _in_xml(data: mmap.mmap) -> list[int]:
     for match in _EXTENT.finditer(data, 0, end):
         low, high = (list(map(int, match[1].split()[i::2])) for i in (0, 1))
         counts.append(math.prod(max(0, b - a + 1) for a, b in zip(low, high, strict=True)))
+    counts += _values_of_arrays(data, end)
     return [sum(counts) if min(counts, default=0) >= 0 else min(counts), *counts]
+
+
+def _values_of_arrays(data: mmap.mmap, end: int) -> list[int]:
+    """Numbers of values of arrays: their components, times the points or cells they are of."""
+    found = []
+    points = cells = tuples = 1
+    for tag in _TAG.finditer(data, 0, end):
+        name, attributes = tag[1], tag[2]
+        if name == b"Piece":
+            counts = {kind: int(number) for kind, number in _PIECE.findall(attributes)}
+            points = max(1, counts.pop(b"Points", 1))
+            cells = max(1, sum(counts.values()))
+        elif not name.endswith(b"DataArray"):
+            tuples = {b"PointData": points, b"Points": points, b"CellData": cells}.get(name, 1)
+        elif components := _COMPONENTS.search(attributes):
+            found.append(int(components[1]) * tuples)
+    return found
