@@ -252,7 +252,8 @@ def radius_of_atoms(
     PackingFileError
         If an element has no radius, neither by itself nor by `radius`.
     """
-    radii, elements = packing.point_data["radius"], packing.point_data["element"]
+    radii = np.array(packing.point_data["radius"])
+    elements = packing.point_data["element"]
     unknown = sorted(set(elements[np.isnan(radii)].tolist()))
     given: Mapping[Any, float] = radius if isinstance(radius, Mapping) else {}
     if not unknown or (radius is not None and not (given and set(given) <= set(unknown))):
@@ -262,7 +263,6 @@ def radius_of_atoms(
             f"{path}: found atoms of {', '.join(missing)}, which has no van der Waals radius, "
             f"expected one, such as radius={{{missing[0]!r}: 1.5}}"
         )
-    radii = np.array(radii)
     for element, value in given.items():
         radii[elements == element] = value
     return radii

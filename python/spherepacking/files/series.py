@@ -27,26 +27,26 @@ class Entry(NamedTuple):
         The time that the series says; None if the file knows it better.
     number : float or None
         Number in the name, which serves where no file knows a time.
-    index : pathlib.Path or None
-        The file that names them.
+    named_by : pathlib.Path or None
+        File that names them.
     """
 
     files: list[Path]
     time: float | None = None
     number: float | None = None
-    index: Path | None = None
+    named_by: Path | None = None
 
     @property
     def is_there(self) -> bool:
         """Whether all files that an index names exist; others are not looked for."""
-        return self.index is None or all(file.exists() for file in self.files)
+        return self.named_by is None or all(file.exists() for file in self.files)
 
     def check(self) -> None:
         """Raise a FileNotFoundError if one that an index names does not exist."""
         for file in self.files:
-            if self.index is not None and not file.exists():
+            if self.named_by is not None and not file.exists():
                 raise FileNotFoundError(
-                    f"{self.index}: found the file {file} in it, which does not exist, expected "
+                    f"{self.named_by}: found the file {file} in it, which does not exist, expected "
                     "one that does; step= and --step take other steps"
                 )
 
@@ -85,7 +85,7 @@ def entries_of(path: str | os.PathLike[str] | Sequence[str | os.PathLike[str]]) 
         if single.suffix.lower() == ".series":
             return _from_series(single)
         if single.suffix.lower() == ".pvd":
-            return [Entry(files, time, index=single) for time, files in parts_by_time(single)]
+            return [Entry(files, time, named_by=single) for time, files in parts_by_time(single)]
         return [Entry([single])]
     fitting = _fitting(str(single))
     return [Entry([single])] if fitting is None else _numbered(fitting)
@@ -160,7 +160,8 @@ def _from_series(path: Path) -> list[Entry]:
     try:
         files = json.loads(path.read_text("utf-8"))["files"]
         entries = [
-            Entry([path.parent / file["name"]], float(file["time"]), index=path) for file in files
+            Entry([path.parent / file["name"]], float(file["time"]), named_by=path)
+            for file in files
         ]
     except (ValueError, KeyError, TypeError) as error:
         raise PackingFileError(
