@@ -13,6 +13,7 @@ import re
 from typing import TYPE_CHECKING
 
 from .errors import PackingFileError
+from .vtk_blocks import sizes_in_heads
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -21,6 +22,8 @@ if TYPE_CHECKING:
 _LARGEST_RATIO = 1032
 # A point or value takes so many bytes in memory, at least.
 _LEAST_SIZE = 8
+# Writers ask for blocks of 32 to 64 KiB, and of some MiB at most.
+_LARGEST_BLOCK = 256 << 20
 _XML = re.compile(
     rb"NumberOf(?:Points|Cells|Verts|Lines|Strips|Polys|Tuples)\s*=\s*[\"']\s*([-+]?\d+)"
 )
@@ -46,11 +49,18 @@ def check_counts(path: Path) -> None:
         head = data[:4096]
         if b"<VTKFile" not in head:
             return
-        counts = _in_xml(data)
-        ratio = _LARGEST_RATIO if b"compressor" in head else 1
+        appended = data.find(b"<AppendedData")
+        end = len(data) if appended < 0 else appended
+        counts = _in_xml(data, end)
+        compressed = b"compressor" in head
+        ratio = _LARGEST_RATIO if compressed else 1
+        heads = list(sizes_in_heads(data, end)) if compressed else []
     memory = os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE")
     most = min(size * ratio, memory // _LEAST_SIZE)
     wrong = [count for count in counts if not 0 <= count <= most]
+    wrong += [taken for taken, _ in heads if taken > size]
+    # Of a short array the whole of a block is claimed.
+    wrong += [whole for _, whole in heads if whole > max(size * ratio, _LARGEST_BLOCK)]
     if wrong:
         raise PackingFileError(
             f"{path}: found the count {wrong[0]:,} in a file of {size:,} bytes, expected no more "
@@ -58,10 +68,8 @@ def check_counts(path: Path) -> None:
         )
 
 
-def _in_xml(data: mmap.mmap) -> list[int]:
-    """Counts of a file in XML; what is appended has none."""
-    appended = data.find(b"<AppendedData")
-    end = len(data) if appended < 0 else appended
+def _in_xml(data: mmap.mmap, end: int) -> list[int]:
+    """Counts of a file in XML; what is appended, from `end` on, has none."""
     counts = [int(match[1]) for match in _XML.finditer(data, 0, end)]
     for match in _EXTENT.finditer(data, 0, end):
         low, high = (list(map(int, match[1].split()[i::2])) for i in (0, 1))
