@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import numbers
 import operator
+import os
 from typing import TYPE_CHECKING, NamedTuple, overload
 
 import numpy as np
@@ -61,6 +62,11 @@ STEP_LIMITS = Limits(0.001, 60.0)
 """Seconds between two steps of a live picture: a shorter one shows nothing new."""
 
 
+def half_of_memory() -> int:
+    """Half of the machine's memory in bytes, the most that one result may take."""
+    return os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE") // 2
+
+
 def kind_of(value: object) -> str:
     """Name of the class of a value with its article, for messages: "an ImageData"."""
     name = type(value).__name__
@@ -85,6 +91,14 @@ def above_zero(name: str, value: float) -> float:
         return number_of(name, value, np.finfo(float).tiny, np.inf)
     except ValueError:
         raise ValueError(f"{name}: found {value!r}, expected a number above 0") from None
+
+
+def integer_of(name: str, value: int) -> int:
+    """`value` as an integer, or a TypeError; neither text nor truth value."""
+    try:
+        return operator.index(None if isinstance(value, bool) else value)  # type: ignore[arg-type]
+    except TypeError:
+        raise TypeError(f"{name}: found {value!r}, expected an integer") from None
 
 
 def count_of(name: str, value: int, least: int = 1, most: int = LARGEST_INT) -> int:

@@ -9,7 +9,7 @@ import pyvista as pv
 
 from .checks import kind_of
 from .packing import check_radii, no_such_array
-from .radii import given_radii, radii_from, radius_name_in
+from .radii import given_radii, holds_diameters, radii_from, radius_name_in
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -86,17 +86,22 @@ def with_radius_array(packing: pv.PolyData, radius: RadiusLike | None) -> pv.Pol
     Returns
     -------
     pyvista.PolyData
-        `packing`.
+        `packing`. The array of one without points is empty.
     """
-    if radius is None:
+    if radius is not None:
+        values = given_radii(packing, radius)
+    elif packing.n_points:
         name = radius_name_in(packing.point_data.keys())
         if name is None:
-            if packing.n_points:
-                raise no_such_array("radius", "radius", packing)
-            return packing
-        values = radii_from(name, packing.point_data[name], found=True)
+            raise no_such_array("radius", "radius", packing)
+        values = radii_from(name, packing.point_data[name])
     else:
-        values = given_radii(packing, radius)
+        values = np.empty(0)
+    if not packing.n_points:
+        if "radius" not in packing.point_data:
+            # PyVista takes no empty array.
+            packing.GetPointData().AddArray(pv.convert_array(values, name="radius"))
+        return packing
     if values is not packing.point_data.get("radius"):
         active = packing.point_data.active_scalars_name
         packing.point_data["radius"] = values
@@ -144,7 +149,7 @@ def _is_plain(packing: pv.PolyData, name: str) -> bool:
     array = packing.GetPointData().GetAbstractArray(name)
     if array is None:
         return name not in packing.cell_data
-    return array.GetNumberOfComponents() == 1 and not name.lower().startswith("diameter")
+    return array.GetNumberOfComponents() == 1 and not holds_diameters(name)
 
 
 # --- points of datasets ---------------------------------------------------------------------------

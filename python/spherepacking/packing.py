@@ -15,7 +15,16 @@ def no_such_array(argument: str, name: str, packing: pv.PolyData) -> KeyError:
     """Make the error that says which arrays there are."""
     there = ", ".join(packing.point_data.keys()) or "none"
     hint = " (there is a cell array of that name)" if name in packing.cell_data else ""
-    advice = "; radius='NAME' names the one with the radii" if argument == "radius" else ""
+    advice = ""
+    if argument == "radius":
+        # Files' columns of diameters and the like have become `radius`.
+        advice = (
+            "; without radius= the array 'radius' is taken"
+            if "radius" in packing.point_data
+            else "; radius='NAME' names the one with the radii"
+            if len(packing.point_data)
+            else "; radius=0.5 gives all spheres the same"
+        )
     return KeyError(
         f"{argument}: the packing has no point array {name!r}{hint}, its point arrays are: {there}"
         f"{advice}"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from numbers import Integral
 from typing import TYPE_CHECKING
@@ -25,8 +26,12 @@ _NAMES = (
     ("r", "rad", "d", "diam"),
 )
 _DIAMETERS = ("diameter", "diameters", "d", "diam")
-# Arrays of text that say of what type a sphere is; the first that fits is taken, then any other.
-_TEXT_TYPES = ("type_name", "element", "type", "species", "name")
+# Beside one of these, r may be the distance of cylindrical or spherical coordinates.
+_ANGLES = ("theta", "phi", "azimuth")
+# Arrays that say of what type a sphere is; the first that fits is taken, then any other of text.
+_TYPES = ("type_name", "element", "type", "species", "name")
+
+_WHOLE = re.compile(r"[+-]?[0-9]+")
 
 
 def radius_name_in(names: list[str]) -> str | None:
@@ -46,7 +51,7 @@ def radius_name_in(names: list[str]) -> str | None:
     Raises
     ------
     ValueError
-        If there are several of equal rank.
+        If there are several of equal rank, or one called r beside the angle of other coordinates.
 
     Examples
     --------
@@ -70,23 +75,32 @@ def radius_name_in(names: list[str]) -> str | None:
                 f"radius: found the arrays {' and '.join(found)}, any of which may hold the radii, "
                 f"expected one of them, or radius='{found[0]}'"
             )
+        if found and found[0].lower() == "r":
+            angle = next((name for name in names if name.lower() in _ANGLES), None)
+            if angle is not None:
+                raise ValueError(
+                    f"radius: found the array {found[0]} beside {angle}, which may be a distance "
+                    f"rather than the radii, expected radius='{found[0]}' if it holds them"
+                )
         if found:
             return found[0]
     return None
 
 
-def radii_from(name: str, values: np.ndarray, *, found: bool) -> np.ndarray:
+def holds_diameters(name: str) -> bool:
+    """Whether an array of that name holds diameters."""
+    return name.lower() in _DIAMETERS
+
+
+def radii_from(name: str, values: np.ndarray) -> np.ndarray:
     """Radii from the values of an array of that name.
 
     Parameters
     ----------
     name : str
-        Name of the array. Values of one that is called diameter are halved.
+        Name of the array. Values of one that is called diameter, d or the like are halved.
     values : numpy.ndarray
         One value per sphere, or equal components.
-    found : bool
-        Whether the array was found by its name, rather than named by the user: then d and diam are
-        diameters as well.
 
     Returns
     -------
@@ -111,8 +125,7 @@ def radii_from(name: str, values: np.ndarray, *, found: bool) -> np.ndarray:
                 "number per sphere, or equal ones"
             )
         values = values[:, 0]
-    halved = name.lower() in (_DIAMETERS if found else _NAMES[1])
-    return 0.5 * values if halved else values
+    return 0.5 * values if holds_diameters(name) else values
 
 
 def given_radii(packing: pv.PolyData, radius: RadiusLike) -> np.ndarray:
@@ -123,8 +136,9 @@ def given_radii(packing: pv.PolyData, radius: RadiusLike) -> np.ndarray:
     packing : pyvista.PolyData
         Centres (n, 3).
     radius : str, float, array_like or mapping
-        Name of a point array; one radius for all spheres; n radii; or one per type, by numbers of
-        the point array ``type`` or by texts of ``type_name``, ``element`` or another.
+        Name of a point array, halved where that says diameters; one radius for all spheres; n
+        radii; or one per type, by numbers or texts of the point array ``type``, ``type_name``,
+        ``element``, ``species`` or ``name``, or by texts of another.
 
     Returns
     -------
@@ -145,7 +159,7 @@ def given_radii(packing: pv.PolyData, radius: RadiusLike) -> np.ndarray:
             raise no_such_array("radius", radius, packing)
         if not packing.n_points:
             return np.empty(0)
-        return radii_from(radius, packing.point_data[radius], found=False)
+        return radii_from(radius, packing.point_data[radius])
     if isinstance(radius, Mapping):
         return _by_type(packing, radius)
     values = np.asarray(radius)
@@ -171,26 +185,18 @@ def _by_type(packing: pv.PolyData, radius: Mapping[int, float] | Mapping[str, fl
             f"radius: found the keys {', '.join(map(repr, radius)) or '(none)'}, expected numbers "
             "or texts that are types"
         )
-    if numbers:
-        if "type" not in packing.point_data:
-            raise no_such_array("radius", "type", packing)
-        candidates = ["type"]
-    else:
-        kinds = {name: packing.point_data[name].dtype.kind for name in packing.point_data}
-        there = [name for name, kind in kinds.items() if kind in "US"]
-        candidates = sorted(
-            there, key=lambda n: _TEXT_TYPES.index(n) if n in _TEXT_TYPES else len(_TEXT_TYPES)
+    candidates = _type_arrays(packing, texts)
+    if not candidates:
+        raise KeyError(
+            f"radius: found the types {', '.join(map(str, radius))} and no point array of types, "
+            f"such as type or element, its point arrays are: "
+            f"{', '.join(packing.point_data) or 'none'}"
         )
-        if not candidates:
-            raise KeyError(
-                f"radius: found texts as types, {', '.join(map(str, radius))}, and no point array "
-                f"of text, its point arrays are: {', '.join(packing.point_data) or 'none'}"
-            )
     first: list[str] = []
     for name in candidates:
         types, which = np.unique(np.asarray(packing.point_data[name]), return_inverse=True)
-        text = types.dtype.kind in "US"
-        table = {str(key) if text else key: float(value) for key, value in radius.items()}
+        keyed = str if types.dtype.kind in "US" else int
+        table = {keyed(key): float(value) for key, value in radius.items()}
         missing = [str(kind) for kind in types.tolist() if kind not in table]
         if not missing:
             return np.array([table[kind] for kind in types.tolist()])[which.reshape(-1)]
@@ -199,3 +205,19 @@ def _by_type(packing: pv.PolyData, radius: Mapping[int, float] | Mapping[str, fl
         f"radius: found no radius for {', '.join(first[:10])} of the array {candidates[0]!r}, "
         f"expected one for each type beside those of {', '.join(map(str, radius))}"
     )
+
+
+def _type_arrays(packing: pv.PolyData, texts: list[str]) -> list[str]:
+    """Arrays that may hold the types, the likeliest first; `texts` are those that are asked for."""
+    arrays = {name: np.asarray(packing.point_data[name]) for name in packing.point_data}
+    plain = {name: array.dtype.kind for name, array in arrays.items() if array.ndim == 1}
+    ranks = {name: i for i, name in enumerate(_TYPES)}
+    # Of equal names of types, texts are looked for in texts first, and numbers in `type`.
+    in_text = sorted(
+        (name for name, kind in plain.items() if kind in "US"),
+        key=lambda name: ranks.get(name, len(ranks)),
+    )
+    in_numbers = [name for name in ("type", *_TYPES) if plain.get(name, "") in ("i", "u", "f")]
+    if not texts:
+        return list(dict.fromkeys([*in_numbers, *(name for name in in_text if name in ranks)]))
+    return in_text + (in_numbers if all(map(_WHOLE.fullmatch, texts)) else [])

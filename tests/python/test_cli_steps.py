@@ -346,6 +346,12 @@ def test_an_animation(run, tmp_path):
     assert len(imageio.mimread(output)) == 3
 
 
+@pytest.mark.parametrize("name", ["run.mp4", "run.gif"])
+def test_a_movie_of_one_step_says_how_to_take_all(run, tmp_path, capfd, name):
+    status, _, err = ask(capfd, "render", run, "-o", tmp_path / name)
+    assert (status, f"{name}, expected --steps with it" in err) == (2, True)
+
+
 def test_odd_sizes_are_refused_for_movies(run, tmp_path, capfd):
     pytest.importorskip("imageio_ffmpeg")
     output = tmp_path / "run.mp4"

@@ -73,10 +73,13 @@ def test_found_by_name(make, arrays):
     ("arrays", "error", "message"),
     [
         ({"mass": RADII, "id": [1, 2, 3]}, KeyError, r"are: mass, id; radius='NAME'"),
-        ({}, KeyError, "are: none"),
+        ({}, KeyError, "are: none; radius=0.5 gives all spheres the same"),
         ({"R": OTHER, "G": OTHER, "B": OTHER}, KeyError, "are: R, G, B"),
         ({"r": RADII, "d": DOUBLE}, ValueError, "arrays r and d, .*radius='r'"),
         ({"Radius": RADII, "radii": RADII}, ValueError, "arrays Radius and radii"),
+        ({"r": RADII, "theta": OTHER}, ValueError, "array r beside theta, .*radius='r'"),
+        ({"R": RADII, "Phi": OTHER, "z": OTHER}, ValueError, "array R beside Phi"),
+        ({"r": RADII, "azimuth": OTHER}, ValueError, "array r beside azimuth"),
         ({"radius": np.eye(3)}, ValueError, "3 components that differ in 'radius'"),
         ({"radius": [-1.0, 1.0, 1.0]}, ValueError, "-1 at point 0"),
         ({"radii": [1.0, np.nan, 1.0]}, ValueError, "nan at point 1"),
@@ -195,10 +198,40 @@ def test_one_radius_for_all_and_diameters_by_name():
     assert dataset.packing.with_radius("Diameter")["radius"].tolist() == RADII
 
 
+@pytest.mark.parametrize("name", ["d", "D", "diam", "Diam", "diameters"])
+def test_diameters_are_halved_whether_found_or_named(name):
+    dataset = mesh(**{name: DOUBLE})
+    assert dataset.packing.with_radius()["radius"].tolist() == RADII
+    assert dataset.packing.with_radius(name)["radius"].tolist() == RADII
+    assert mesh(radius=OTHER, **{name: DOUBLE}).packing.radii.tolist() == OTHER
+
+
+def test_a_distance_can_be_the_radius():
+    dataset = mesh(r=RADII, theta=OTHER)
+    assert dataset.packing.with_radius("r")["radius"].tolist() == RADII
+    assert mesh(radius=RADII, r=OTHER, theta=OTHER).packing.radii.tolist() == RADII
+
+
+@pytest.mark.parametrize("name", ["type", "species", "element", "name", "type_name"])
+@pytest.mark.parametrize("types", [[1, 2, 7], [1.0, 2.0, 7.0], ["1", "2", "7"]])
+@pytest.mark.parametrize("keys", [(1, 2, 7), ("1", "2", "7")])
+def test_radii_of_types_that_are_numbers(name, types, keys):
+    dataset = mesh(**{name: types})
+    radius = dict(zip(keys, RADII, strict=True))
+    assert dataset.packing.with_radius(radius)["radius"].tolist() == RADII
+
+
+def test_numbers_are_those_of_type_first():
+    dataset = mesh(element=[7, 2, 1], species=["7", "2", "1"], type=[1, 2, 7])
+    radius = dict(zip((1, 2, 7), RADII, strict=True))
+    assert dataset.packing.with_radius(radius)["radius"].tolist() == RADII
+
+
 @pytest.mark.parametrize(
     ("radius", "error", "message"),
     [
         ("size", KeyError, "no point array 'size'"),
+        ({"C1": 0.5}, KeyError, "no radius for C, H, O of the array 'element'"),
         ([1.0, 2.0], ValueError, "found 2 values, expected one for each of 3"),
         ({1: 0.5}, KeyError, "no radius for 2.0, 7.0 of the array 'type'"),
         ({"C": 0.5}, KeyError, "no radius for H, O of the array 'element'"),
@@ -212,6 +245,11 @@ def test_radii_that_are_given_wrongly(radius, error, message):
     dataset = mesh(type=[1.0, 2.0, 7.0], element=["C", "H", "O"])
     with pytest.raises(error, match=message):
         dataset.packing.ray_cast(VIEW, SIZE, radius=radius)
+
+
+def test_diameters_that_have_become_radii():
+    with pytest.raises(KeyError, match=r"'diameter', .*; without radius= the array 'radius' is"):
+        mesh(radius=RADII).packing.with_radius("diameter")
 
 
 USES = {

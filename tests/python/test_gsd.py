@@ -198,3 +198,27 @@ def test_the_library_is_named_when_it_is_missing(tmp_path, monkeypatch):
     monkeypatch.setattr(builtins, "__import__", without)
     with pytest.raises(ImportError, match=r"a\.gsd: .*pip install 'spherepacking\[formats\]'"):
         spherepacking.read(path)
+
+
+@pytest.mark.parametrize("name", ["velocity", "mass", "diameter", "image"])
+def test_arrays_of_another_length(tmp_path, name):
+    short = {"velocity": np.ones((1, 3), np.float32), "image": np.ones((4, 3), np.int32)}
+    values = short.get(name, np.ones(2, np.float32))
+    path = write(tmp_path / "a.gsd", frame(**({"diameter": DIAMETERS} | {name: values})))
+    message = rf"a\.gsd: found {len(values)} values of {name} in frame 0, expected 3"
+    with pytest.raises(spherepacking.PackingFileError, match=message):
+        spherepacking.read(path)
+
+
+@pytest.mark.parametrize("positions", [True, False])
+def test_a_number_of_particles_that_the_file_cannot_hold(tmp_path, positions):
+    made = frame(diameter=DIAMETERS) | {"particles/N": np.array([4 * 10**9], np.uint32)}
+    if not positions:
+        del made["particles/position"]
+    path = write(tmp_path / "a.gsd", frame(diameter=DIAMETERS), made)
+    steps = spherepacking.steps(path)
+    assert steps[0].n_points == 3
+    with pytest.raises(
+        spherepacking.PackingFileError, match=r"a\.gsd: found 4,000,000,000 particles in frame 1"
+    ):
+        steps[1]

@@ -216,6 +216,90 @@ def test_a_real_file(data_file):
     assert packing["radius"].tolist() == [radii[line[76:78].strip()] for line in lines]
 
 
+# --- elements -------------------------------------------------------------------------------------
+
+
+@needs_gemmi
+@pytest.mark.parametrize("name", ["D", "DEUTERIUM1"])
+def test_deuterium_is_hydrogen(write, name):
+    path = write(CIF.replace("1 N N .", f"1 D {name} ."), "p.cif")
+    packing = spherepacking.read(path)
+    assert packing["radius"].tolist() == [1.2, 1.52]  # Bondi's
+    assert packing["element"].tolist() == ["D", "O"]
+    assert packing["atomic_number"].tolist() == [1, 8]
+    hydrogen = spherepacking.read(write(CIF.replace("1 N N .", "1 H H ."), "h.cif"))
+    assert packing["rgb"].tolist() == hydrogen["rgb"].tolist()
+
+
+@needs_gemmi
+@pytest.mark.parametrize(("element", "called"), [("X", "X"), ("Q", "X"), ("Lv", "Lv")])
+def test_elements_without_radius(write, element, called):
+    path = write(CIF.replace("1 N N .", f"1 {element} N ."), "p.cif")
+    with pytest.raises(PackingFileError, match=f"atoms of {called}, .* radius={{'{called}': 1.5}}"):
+        spherepacking.read(path)
+    assert spherepacking.read(path, radius=0.5)["radius"].tolist() == [0.5, 0.5]
+    assert spherepacking.read(path, radius={called: 0.75})["radius"].tolist() == [0.75, 1.52]
+    both = {called: 0.75, "O": 2.0}
+    assert spherepacking.read(path, radius=both)["radius"].tolist() == [0.75, 2.0]
+    with pytest.raises(PackingFileError, match="no radius for"):
+        spherepacking.read(path, radius={"O": 2.0})
+
+
+@needs_gemmi
+def test_all_elements_without_radius_are_named(write):
+    path = write(CIF.replace("1 N N .", "1 X N .").replace("2 O O", "2 Og O"), "p.cif")
+    with pytest.raises(PackingFileError, match="atoms of Og, X, which"):
+        spherepacking.read(path)
+    with pytest.raises(PackingFileError, match=r"atoms of X, .* radius=\{'X': 1.5\}"):
+        spherepacking.read(path, radius={"Og": 1.0})
+
+
+@needs_gemmi
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [(" N .", " ABCDEFGHIJK ."), (" ALA A", " ALANINEXYZ A"), (" 17 Q ", " 17 QRSTUVWXYZ ")],
+)
+def test_long_names(write, old, new):
+    """The format mmCIF sets no limit to the length of names."""
+    packing = spherepacking.read(write(CIF.replace(old, new), "p.cif"))
+    assert packing.points.tolist() == [[1.5, 2.5, 3.5], [0.1, 0.2, 0.3]]
+    assert packing["radius"].tolist() == [1.55, 1.52]
+    assert packing["element"].tolist() == ["N", "O"]
+    assert packing["name"].tolist() == ["ABCDEFGHIJK" if old == " N ." else "N", "O"]
+    assert packing["residue"].tolist() == ["ALANINEXYZ" if "ALA" in old else "ALA", "HOH"]
+    assert packing["chain"].tolist() == ["QRSTUVWXYZ" if "Q" in old else "Q", "Q"]
+    assert packing["residue_id"].tolist() == [17, 18]
+    assert packing["occupancy"].tolist() == [1, 0.5]
+    assert packing["b_factor"].tolist() == [10, 11]
+
+
+SMALL = """data_x
+_cell_length_a 10
+_cell_length_b 20.0(1)
+_cell_length_c 30
+_cell_angle_alpha 90
+_cell_angle_beta 90
+_cell_angle_gamma 90
+loop_
+_atom_site_label
+_atom_site_type_symbol
+_atom_site_fract_x
+_atom_site_fract_y
+_atom_site_fract_z
+C1 C 0.5 0.25 0.1
+"""
+
+
+@needs_gemmi
+@pytest.mark.parametrize("name", ["length_a", "length_b", "angle_gamma"])
+def test_fractions_need_their_cell(write, name):
+    assert spherepacking.read(write(SMALL, "p.cif")).points.tolist() == [[5, 5, 3]]
+    for gone in (f"_cell_{name}_gone", f"_cell_{name} ? _x"):
+        path = write(SMALL.replace(f"_cell_{name}", gone), "q.cif")
+        with pytest.raises(PackingFileError, match=f"_cell_{name}, expected the whole cell"):
+            spherepacking.read(path)
+
+
 BAD = {
     "coordinate": (PDB.replace(" 7.125", " 7.x25"), 3, "7.x25", "columns 31 to 54"),
     "nan": (PDB.replace(" 7.125", "   nan"), 3, "nan", "columns 31 to 54"),

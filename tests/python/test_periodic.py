@@ -135,6 +135,13 @@ def test_more_copies_than_can_be_numbered():
     packing = packing_of(np.zeros((3000, 3)), vectors=np.eye(3))
     with pytest.raises(ValueError, match="nx, ny, nz: found 1000000 copies of 3000 spheres"):
         packing.packing.replicate(100, 100, 100)
+    # The list of copies alone would fill any memory.
+    single = packing_of([[0, 0, 0]], vectors=np.eye(3))
+    with pytest.raises(ValueError, match="found 1000000000000000000 copies of 1 spheres"):
+        single.packing.replicate(10**6, 10**6, 10**6)
+    none = packing_of(np.empty((0, 3)), vectors=np.eye(3))
+    with pytest.raises(ValueError, match="found 1000000000000000000 copies of 0 spheres"):
+        none.packing.replicate(10**6, 10**6, 10**6)
 
 
 # --- ghosts ---------------------------------------------------------------------------------------

@@ -243,6 +243,27 @@ def test_nothing_fits(tmp_path, pattern):
         spherepacking.steps(tmp_path / pattern)
 
 
+def test_the_files_of_two_runs(tmp_path):
+    """LIGGGHTS writes the box beside the particles, and both fit part_*."""
+    for i in (0, 100, 200):
+        vtu(tmp_path / f"part_{i}.vtu", float(i))
+        pv.Box().cast_to_unstructured_grid().save(tmp_path / f"part_boundingBox_{i}.vtu")
+    with pytest.raises(
+        spherepacking.PackingFileError,
+        match=r"part_100\.vtu and part_boundingBox_100\.vtu, .*/part_\[0-9\]\*\.vtu or ",
+    ):
+        spherepacking.steps(tmp_path / "part_*.vtu")
+    steps = spherepacking.steps(tmp_path / "part_[0-9]*.vtu")
+    assert (steps.times, xs(steps)) == ([0, 100, 200], [0, 100, 200])
+
+
+def test_one_run_of_several_names(tmp_path):
+    """Numbers that go on in files of another name are one run's."""
+    for i, name in enumerate(("a1", "a2", "b3", "b4", "last")):
+        vtu(tmp_path / f"{name}.vtu", float(i))
+    assert xs(spherepacking.steps(tmp_path / "*.vtu")) == [0, 1, 2, 3, 4]
+
+
 def test_an_empty_list():
     with pytest.raises(ValueError, match="path: found no file in the list"):
         spherepacking.steps([])
@@ -313,8 +334,28 @@ def test_a_damaged_collection(tmp_path, name, text):
 
 def test_a_missing_file_of_a_collection(tmp_path):
     (tmp_path / "a.pvd").write_text(PVD.format(SET.format(0, 0, "none.vtu")))
-    with pytest.raises(FileNotFoundError, match=r"none\.vtu"):
+    with pytest.raises(FileNotFoundError, match=r"a\.pvd: found the file .*none\.vtu in it, which"):
         spherepacking.read(tmp_path / "a.pvd")
+
+
+@pytest.mark.parametrize("kind", ["vtu", "vtm"])
+def test_other_steps_of_a_collection_without_a_file(tmp_path, kind):
+    mesh = pv.PolyData(np.array([[7.0, 0.0, 0.0]]))
+    mesh["radius"] = [0.5]
+    (mesh.cast_to_unstructured_grid() if kind == "vtu" else pv.MultiBlock([mesh])).save(
+        tmp_path / f"there.{kind}"
+    )
+    sets = [SET.format(i, 0, f"{name}.{kind}") for i, name in enumerate(("gone", "there"))]
+    (tmp_path / "a.pvd").write_text(PVD.format("".join(sets)))
+    files = [{"name": f"{name}.{kind}", "time": i} for i, name in enumerate(("gone", "there"))]
+    (tmp_path / "a.series").write_text(json.dumps({"files": files}))
+    for name in ("a.pvd", "a.series"):
+        steps = spherepacking.steps(tmp_path / name)
+        assert steps.times == [0, 1]
+        assert steps[1].points[0, 0] == 7
+        assert spherepacking.read(tmp_path / name, step=1).points[0, 0] == 7
+        with pytest.raises(FileNotFoundError, match=rf"{name}: found the file .*gone\.{kind}"):
+            steps[0]
 
 
 def test_a_run_in_a_collection_is_refused(tmp_path, dump):
@@ -440,7 +481,20 @@ def test_spheres_by_the_name_of_a_surface_are_read(tmp_path):
     assert spherepacking.read(tmp_path / "a.obj")["radius"].tolist() == [4.0]
 
 
-@pytest.mark.parametrize("argument", [{"precision": "half"}, {"step": "x"}])
-def test_arguments(dump, argument):
-    with pytest.raises((ValueError, TypeError)):
+@pytest.mark.parametrize(
+    ("argument", "error", "message"),
+    [
+        ({"precision": "half"}, ValueError, "precision: found 'half'"),
+        ({"step": "1"}, TypeError, "step: found '1', expected an integer"),
+        ({"step": 1.0}, TypeError, "step: found 1.0, expected an integer"),
+        ({"step": True}, TypeError, "step: found True, expected an integer"),
+        ({"time": 10.00001}, ValueError, "time: found 10.00001, expected one of 0, 10, 20"),
+    ],
+)
+def test_arguments(dump, argument, error, message):
+    with pytest.raises(error, match=message):
         spherepacking.read(dump, **argument)
+
+
+def test_numpys_integers_are_steps(dump):
+    assert spherepacking.read(dump, step=np.int64(2)).points[0, 0] == 2

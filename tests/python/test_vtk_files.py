@@ -1,5 +1,6 @@
 """Packings in files of VTK; the values are those of the texts here."""
 
+import base64
 import re
 
 import numpy as np
@@ -127,9 +128,57 @@ def test_pieces(tmp_path):
         spherepacking.read(tmp_path / "a.pvtu")
 
 
-def test_no_spheres_are_a_packing(tmp_path):
+@pytest.mark.parametrize("radius", [None, 0.5, "d", {1: 0.5}])
+def test_no_spheres_are_a_packing(tmp_path, radius):
     pv.PolyData().save(tmp_path / "a.vtp")
-    assert spherepacking.read(tmp_path / "a.vtp").n_points == 0
+    # So LIGGGHTS writes the first step of a run that pours.
+    (tmp_path / "a.vtk").write_text(
+        "# vtk DataFile Version 2.0\nx\nASCII\nDATASET POLYDATA\n"
+        "POINTS 0 float\nVERTICES 0 0\nPOINT_DATA 0\n"
+    )
+    for name in ("a.vtp", "a.vtk"):
+        packing = spherepacking.read(tmp_path / name, radius=radius)
+        assert packing.n_points == 0
+        assert packing["radius"].tolist() == []
+
+
+VELOCITIES = {
+    "v": ["v"],
+    "vel": ["vel"],
+    "velo": ["velo"],
+    "Velocity": ["Velocity"],
+    "parts": ["vx", "vy", "vz"],
+    "Parts": ["Vx", "Vy", "Vz"],
+    "brackets": ["velocity[0]", "velocity[1]", "velocity[2]"],
+    "numbers": ["vel_0", "vel_1", "vel_2"],
+    "letters": ["v_x", "v_y", "v_z"],
+    "colons": ["velocity:0", "velocity:1", "velocity:2"],
+}
+
+
+@pytest.mark.parametrize("case", VELOCITIES)
+def test_velocities_by_any_name(tmp_path, case):
+    velocity = np.array([[1.0, 2.0, 3.0], [-4.0, 0.5, 0.25]])
+    mesh = dataset("PolyData")
+    del mesh.point_data["velocity"]
+    names = VELOCITIES[case]
+    for name, values in zip(names, [velocity] if len(names) == 1 else velocity.T, strict=True):
+        mesh[name] = values
+    mesh.save(tmp_path / "a.vtp")
+    packing = spherepacking.read(tmp_path / "a.vtp")
+    assert packing["velocity"].tolist() == velocity.tolist()
+    assert set(names) <= set(packing.point_data)
+    mesh["velocity"] = np.zeros((2, 3))
+    mesh.save(tmp_path / "a.vtp")
+    assert spherepacking.read(tmp_path / "a.vtp")["velocity"].tolist() == [[0, 0, 0]] * 2
+
+
+def test_a_number_called_v_is_no_velocity(tmp_path):
+    mesh = dataset("PolyData")
+    del mesh.point_data["velocity"]
+    mesh["v"] = [1.0, 2.0]
+    mesh.save(tmp_path / "a.vtp")
+    assert "velocity" not in spherepacking.read(tmp_path / "a.vtp").point_data
 
 
 # --- radii that are not there, or given -----------------------------------------------------------
@@ -146,6 +195,31 @@ def test_no_radii_names_the_arrays(tmp_path):
     check(spherepacking.read(tmp_path / "a.vtp", radius=2), [2.0, 2.0])
     with pytest.raises(spherepacking.PackingFileError, match=r"a\.vtp: .*'size'.*mass"):
         spherepacking.read(tmp_path / "a.vtp", radius="size")
+
+
+def test_no_arrays_say_how_to_give_radii(tmp_path):
+    pv.PolyData(np.array(POINTS)).save(tmp_path / "a.vtp")
+    with pytest.raises(spherepacking.PackingFileError, match=r"none; radius=0\.5 gives all"):
+        spherepacking.read(tmp_path / "a.vtp")
+
+
+def test_an_angle_makes_r_a_distance(tmp_path):
+    mesh = pv.PolyData(np.array(POINTS))
+    for name in ("r", "theta", "phi"):
+        mesh[name] = RADII
+    mesh.save(tmp_path / "a.vtp")
+    with pytest.raises(
+        spherepacking.PackingFileError, match=r"a\.vtp: .* the array r beside theta"
+    ):
+        spherepacking.read(tmp_path / "a.vtp")
+    assert spherepacking.read(tmp_path / "a.vtp", radius="r")["radius"].tolist() == RADII
+
+
+@pytest.mark.parametrize("name", ["d", "D"])
+def test_a_diameter_is_halved_when_named(tmp_path, name):
+    (tmp_path / "a.vtp").write_text(XML.format(name=name))
+    for radius in (None, name):
+        check(spherepacking.read(tmp_path / "a.vtp", radius=radius), [0.25, 0.0625])
 
 
 def test_a_surface_is_not_a_packing(tmp_path):
@@ -180,6 +254,40 @@ def test_one_error_names_the_file(tmp_path, capfd, name):
     assert re.match(rf"{re.escape(str(tmp_path / name))}(, line \d+)?: ", str(caught.value))
     assert "\n" not in str(caught.value)
     assert capfd.readouterr() == ("", "")
+
+
+@pytest.mark.parametrize("binary", [False, True])
+@pytest.mark.parametrize("attribute", ["Components", "Points", "Tuples"])
+@pytest.mark.parametrize("value", ["-1", " -1", "+3000000000", "500000000", "-3000000000"])
+def test_counts_that_would_end_the_process(tmp_path, binary, attribute, value):
+    mesh = dataset("PolyData")
+    mesh.field_data["t"] = [1.0]
+    mesh.save(tmp_path / "a.vtp", binary=binary)
+    text = (tmp_path / "a.vtp").read_bytes()
+    wrong, count = re.subn(
+        rf'NumberOf{attribute}="\d+"'.encode(), f'NumberOf{attribute}="{value}"'.encode(), text
+    )
+    assert count
+    (tmp_path / "b.vtp").write_bytes(wrong)
+    with pytest.raises(spherepacking.PackingFileError, match=r"b\.vtp: found the count"):
+        spherepacking.read(tmp_path / "b.vtp")
+
+
+@pytest.mark.parametrize("word", [0, 1, 3])
+def test_heads_of_compressed_arrays_that_claim_too_much(tmp_path, word):
+    """The number of blocks, the size of each, and that of the first in the file."""
+    dataset("PolyData").save(tmp_path / "a.vtp")
+    text = (tmp_path / "a.vtp").read_text()
+    assert "compressor" in text and 'header_type="UInt32"' in text
+    start = re.search(r"<DataArray[^>]*>\s*_?", text).end()
+    if "<AppendedData" in text:
+        start = re.search(r"<AppendedData[^>]*>\s*_", text).end()
+    head = bytearray(base64.b64decode(text[start : start + 24]))
+    head[4 * word : 4 * word + 4] = (2**31 - 1).to_bytes(4, "little")
+    wrong = text[:start] + base64.b64encode(head).decode() + text[start + 24 :]
+    (tmp_path / "b.vtp").write_text(wrong)
+    with pytest.raises(spherepacking.PackingFileError, match=r"b\.vtp: found the count [28],[15]"):
+        spherepacking.read(tmp_path / "b.vtp")
 
 
 @pytest.mark.parametrize("text", [False, True])

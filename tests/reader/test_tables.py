@@ -195,6 +195,19 @@ def test_plain_names_come_before_places(read_text):
 
 
 @pytest.mark.parametrize(
+    "names",
+    [
+        *("vx,vy,vz", "Vx,Vy,Vz", "vel_x,vel_y,vel_z", "v_0,v_1,v_2", "velo:0,velo:1,velo:2"),
+        *("velocity[0],velocity[1],velocity[2]", "Velocity_x,Velocity_y,Velocity_z"),
+    ],
+)
+def test_velocities(read_text, names):
+    packing = read_text(f"x,y,z,r,{names}\n1,2,3,4,5,6,7\n", "p.csv")
+    assert packing["velocity"].tolist() == [[5, 6, 7]]
+    assert packing[names.split(",")[1]].tolist() == [6]
+
+
+@pytest.mark.parametrize(
     ("header", "radius"),
     [
         ("x,y,z,r,radius", 5),

@@ -35,6 +35,14 @@ def test_further_properties(read_text):
     assert packing["name"].tolist() == ["12"]  # text, though it looks like a number
 
 
+@pytest.mark.parametrize("name", ["v", "vel", "velo", "velocity"])
+def test_velocities(read_text, name):
+    properties = f"species:S:1:pos:R:3:radius:R:1:{name}:R:3"
+    packing = read_text(extended(f"Properties={properties}", "A 4 5 6 .5 1 2 3\n"), "p.xyz")
+    assert packing["velocity"].tolist() == [[1, 2, 3]]
+    assert packing[name].tolist() == [[1, 2, 3]]
+
+
 @pytest.mark.parametrize("name", ["radius", "Radius", "radii", "Radii"])
 def test_names_of_the_radius(read_text, name):
     text = extended(f"Properties=species:S:1:pos:R:3:{name}:R:1")

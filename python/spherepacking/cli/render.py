@@ -14,7 +14,7 @@ from ..files.image import check_output
 from ..look.scalars import means_colors
 from ..vtk_tools import window_of
 from .camera import aim, fit
-from .frames import check_frames, frame_writer, slice_of
+from .frames import check_frames, frame_writer, is_movie, slice_of
 from .input import open_steps, read_step
 from .options import check_technique, check_view
 from .scene import scene_of
@@ -63,6 +63,11 @@ def render(path: Path, options: RenderOptions, source: InputOptions) -> None:
     if options.steps is not None:
         _render_steps(path, options, source)
         return
+    if is_movie(options.output):
+        raise ValueError(
+            f"--output: found the movie {options.output}, expected --steps with it, such as "
+            "--steps : for all, or the name of a picture"
+        )
     check_output(options.output)
     packing = read_step(open_steps(path, source), path, source.step)
     scene = scene_of([packing], [str(path)], options, several=False)

@@ -25,6 +25,7 @@ _ARRAYS = {
     "angmom": "angular_momentum",
     "moment_inertia": "moment_inertia",
 }
+_BYTES_OF_A_POSITION = 12
 
 
 class GsdFile:
@@ -81,8 +82,12 @@ class GsdFile:
     def read(self, index: int) -> pv.PolyData:
         """Read the packing of a frame."""
         try:
+            self._check_count(0)
+            self._check_count(index)
             frame = self._trajectory[index]
             frame.validate()
+        except PackingFileError:
+            raise
         except (OSError, RuntimeError, ValueError, KeyError) as error:
             raise PackingFileError(
                 f"{self._path}: found a frame {index} that cannot be read, expected a whole one: "
@@ -100,6 +105,22 @@ class GsdFile:
             )
         return finished(packing, self._path, self._request)
 
+    def _check_count(self, index: int) -> None:
+        """Raise unless the file is as long as the positions of all particles of a frame.
+
+        Upstream: gsd 5.0.1 believes the number, and makes arrays of defaults for so many.
+        """
+        file = self._trajectory.file
+        if not file.chunk_exists(frame=index, name="particles/N"):
+            return
+        count = int(file.read_chunk(frame=index, name="particles/N")[0])
+        size = self._path.stat().st_size
+        if count * _BYTES_OF_A_POSITION > size:
+            raise PackingFileError(
+                f"{self._path}: found {count:,} particles in frame {index} of a file of {size:,} "
+                "bytes, expected no more than these hold"
+            )
+
     def _add_arrays(self, packing: pv.PolyData, frame: Any, index: int) -> None:
         """Add what the file holds about the particles."""
         particles = frame.particles
@@ -114,6 +135,12 @@ class GsdFile:
                 f"{self._path}: found the type {particles.typeid.max()} in frame {index}, "
                 f"expected one of the {len(particles.types)} types"
             )
+        for name in ("diameter", *_ARRAYS):
+            if len(values := getattr(particles, name)) != packing.n_points:
+                raise PackingFileError(
+                    f"{self._path}: found {len(values)} values of {name} in frame {index}, "
+                    f"expected {packing.n_points}"
+                )
         data["type"] = particles.typeid.astype(np.int64)
         data["type_name"] = np.array(particles.types)[particles.typeid]
         for name, array in _ARRAYS.items():

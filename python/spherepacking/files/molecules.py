@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import gzip
+import math
 import re
 import zlib
+from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn
 
@@ -12,6 +14,7 @@ import numpy as np
 import pyvista as pv
 
 from .errors import PackingFileError
+from .flat_atoms import DEUTERIUM, element_number, flat_atoms
 from .pdb_lines import check_pdb_lines
 
 if TYPE_CHECKING:
@@ -20,8 +23,14 @@ if TYPE_CHECKING:
 
     import gemmi
 
+    from ..radii import RadiusLike
+    from .flat_atoms import FlatAtoms
+
 EXTENSIONS = (".pdb", ".ent", ".cif", ".mmcif")
 """Extensions of the files, in lower case; ``.gz`` may follow."""
+
+# The last element with a van der Waals radius in gemmi, lawrencium.
+_LAST_KNOWN = 103
 
 
 def _gemmi() -> ModuleType:
@@ -100,11 +109,29 @@ class MoleculeFile:
                     return
                 small = gemmi.make_small_structure_from_block(block)
                 if len(small.sites):
+                    self._check_cell(block)
                     self._small = small
                     return
         raise PackingFileError(
             f"{self._path}: holds no atoms, expected the category _atom_site with coordinates"
         )
+
+    def _check_cell(self, block: gemmi.cif.Block) -> None:
+        """Raise an error unless the block has the cell that coordinates are fractions of."""
+        for name in (
+            "length_a",
+            "length_b",
+            "length_c",
+            "angle_alpha",
+            "angle_beta",
+            "angle_gamma",
+        ):
+            found = block.find_value(f"_cell_{name}")
+            if not _is_number(found):
+                raise PackingFileError(
+                    f"{self._path}: found {'no' if found is None else repr(found) + ' as'} "
+                    f"_cell_{name}, expected the whole cell that the coordinates are fractions of"
+                )
 
     def _model_numbers(self, structure: gemmi.Structure) -> list[float]:
         """Numbers of the models; raises an error if all are empty."""
@@ -129,7 +156,8 @@ class MoleculeFile:
             Centres of the atoms in Å, as points (n, 3), and the point arrays
 
             * ``radius``: van der Waals radii in Å, those of gemmi's table of elements, where they
-              are largely those of Bondi (1964); 1 Å for an unknown element, X
+              are largely those of Bondi (1964), deuterium as hydrogen; NaN for an unknown element,
+              X, and from rutherfordium (104) on
             * ``element``, ``name``, ``residue``, ``chain``: text
             * ``atomic_number``, ``residue_id``: whole numbers
             * ``insertion_code``: text, if any residue has one
@@ -162,11 +190,7 @@ class MoleculeFile:
         return packing
 
     def _packing(self, structure: gemmi.Structure, index: int) -> pv.PolyData:
-        gemmi = _gemmi()
-        # A structure of the one model, since a flat one holds all.
-        single = gemmi.Structure()
-        single.add_model(structure[index])
-        flat: Any = gemmi.FlatStructure(single)
+        flat = flat_atoms(structure[index])
         keep = _chosen(flat)
         points = flat.pos[keep]
         names = _text(flat.atom_names[keep])
@@ -192,7 +216,7 @@ class MoleculeFile:
         if len(bad := np.flatnonzero(~np.isfinite(points).all(axis=1))):
             site = sites[bad[0]]
             self._refuse_coordinates(f"atom {site.label}", site.fract.tolist())
-        packing = _spheres(points, np.array([site.element.atomic_number for site in sites]))
+        packing = _spheres(points, np.array([element_number(site.element) for site in sites]))
         packing.point_data["name"] = np.array([site.label for site in sites])
         packing.point_data["occupancy"] = np.array([site.occ for site in sites], float)
         return packing
@@ -202,6 +226,46 @@ class MoleculeFile:
             f"{self._path}: found {np.asarray(found)} as coordinates of {atom}, expected finite "
             "numbers"
         )
+
+
+def radius_of_atoms(
+    packing: pv.PolyData, path: Path, radius: RadiusLike | None
+) -> RadiusLike | None:
+    """Complete the argument `radius` where elements have no van der Waals radius.
+
+    Parameters
+    ----------
+    packing : pyvista.PolyData
+        What `MoleculeFile.read` returns.
+    path : pathlib.Path
+        File, for errors.
+    radius : str, float, array_like or mapping, optional
+        Radii as the user gives them.
+
+    Returns
+    -------
+    str, float, array_like, mapping or None
+        `radius`; or, if that gives radii for elements without one alone, those of all atoms.
+
+    Raises
+    ------
+    PackingFileError
+        If an element has no radius, neither by itself nor by `radius`.
+    """
+    radii = np.array(packing.point_data["radius"])
+    elements = packing.point_data["element"]
+    unknown = sorted(set(elements[np.isnan(radii)].tolist()))
+    given: Mapping[Any, float] = radius if isinstance(radius, Mapping) else {}
+    if not unknown or (radius is not None and not (given and set(given) <= set(unknown))):
+        return radius
+    if missing := [element for element in unknown if element not in given]:
+        raise PackingFileError(
+            f"{path}: found atoms of {', '.join(missing)}, which has no van der Waals radius, "
+            f"expected one, such as radius={{{missing[0]!r}: 1.5}}"
+        )
+    for element, value in given.items():
+        radii[elements == element] = value
+    return radii
 
 
 class _Refused:
@@ -223,6 +287,11 @@ class _Refused:
         raise PackingFileError(
             f"{self._path}{where}: found no text of that format ({what}), expected {self._expected}"
         ) from None
+
+
+def _is_number(text: str | None) -> bool:
+    """Whether a value of CIF is a finite number; its uncertainty may follow in brackets."""
+    return math.isfinite(_gemmi().cif.as_number(text)) if text is not None else False
 
 
 def _content(path: Path, *, compressed: bool) -> bytes:
@@ -251,19 +320,24 @@ def _spheres(points: np.ndarray, atomic_numbers: np.ndarray) -> pv.PolyData:
     from ..backend import vtkPeriodicTable
 
     table = vtkPeriodicTable()
-    numbers, element = np.unique(atomic_numbers, return_inverse=True)
+    ordinals, element = np.unique(atomic_numbers, return_inverse=True)
+    numbers = np.where(ordinals == DEUTERIUM, 1, ordinals)
     known = [gemmi.Element(int(number)) for number in numbers]
+    radii = [round(e.vdw_r, 4) if 0 < e.atomic_number <= _LAST_KNOWN else np.nan for e in known]
+    names = [
+        "D" if ordinal == DEUTERIUM else e.name for ordinal, e in zip(ordinals, known, strict=True)
+    ]
     colors = [table.GetDefaultRGBTuple(int(number)) for number in numbers]
     packing = pv.PolyData(np.asarray(points, float))
-    packing.point_data["radius"] = np.array([round(e.vdw_r, 4) for e in known])[element]
-    packing.point_data["element"] = np.array([e.name for e in known])[element]
+    packing.point_data["radius"] = np.array(radii)[element]
+    packing.point_data["element"] = np.array(names)[element]
     packing.point_data["atomic_number"] = numbers.astype(np.int32)[element]
     rgb = np.array([[color[i] for i in range(3)] for color in colors])
     packing.point_data["rgb"] = np.rint(255 * rgb).astype(np.uint8)[element]
     return packing
 
 
-def _chosen(flat: Any) -> np.ndarray:  # a gemmi.FlatStructure, whose arrays have no types
+def _chosen(flat: FlatAtoms) -> np.ndarray:
     """Whether each atom is not an alternative location that another one is preferred to.
 
     A residue's locations are weighed by the sum of their atoms' occupancies, so that its atoms are

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from contextlib import nullcontext
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import pyvista as pv
@@ -13,7 +14,7 @@ from .errors import PackingFileError
 from .gsd_files import GsdFile
 from .kinds import what_else
 from .molecules import EXTENSIONS as MOLECULES
-from .molecules import MoleculeFile
+from .molecules import MoleculeFile, radius_of_atoms
 from .readers import SpherePackingReader
 from .source import finished
 from .vtk_files import EXTENSIONS as VTK_EXTENSIONS
@@ -148,7 +149,9 @@ class _Molecules:
 
     def read(self, index: int) -> pv.PolyData:
         """Read the packing of a model."""
-        return finished(self._file.read(index), self._path, self._request)
+        packing = self._file.read(index)
+        radius = radius_of_atoms(packing, self._path, self._request.radius)
+        return finished(packing, self._path, replace(self._request, radius=radius))
 
 
 class CompressedFile:

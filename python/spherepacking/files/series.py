@@ -27,11 +27,28 @@ class Entry(NamedTuple):
         The time that the series says; None if the file knows it better.
     number : float or None
         Number in the name, which serves where no file knows a time.
+    named_by : pathlib.Path or None
+        File that names them.
     """
 
     files: list[Path]
     time: float | None = None
     number: float | None = None
+    named_by: Path | None = None
+
+    @property
+    def is_there(self) -> bool:
+        """Whether all files that an index names exist; others are not looked for."""
+        return self.named_by is None or all(file.exists() for file in self.files)
+
+    def check(self) -> None:
+        """Raise a FileNotFoundError if one that an index names does not exist."""
+        for file in self.files:
+            if self.named_by is not None and not file.exists():
+                raise FileNotFoundError(
+                    f"{self.named_by}: found the file {file} in it, which does not exist, expected "
+                    "one that does; step= and --step take other steps"
+                )
 
 
 def entries_of(path: str | os.PathLike[str] | Sequence[str | os.PathLike[str]]) -> list[Entry]:
@@ -54,7 +71,7 @@ def entries_of(path: str | os.PathLike[str] | Sequence[str | os.PathLike[str]]) 
     FileNotFoundError
         If no file fits a pattern.
     PackingFileError
-        If a file that names others is none.
+        If a file that names others is none, or the files of two runs fit a pattern.
     ValueError
         If the list is empty.
     """
@@ -68,7 +85,7 @@ def entries_of(path: str | os.PathLike[str] | Sequence[str | os.PathLike[str]]) 
         if single.suffix.lower() == ".series":
             return _from_series(single)
         if single.suffix.lower() == ".pvd":
-            return [Entry(files, time) for time, files in parts_by_time(single)]
+            return [Entry(files, time, named_by=single) for time, files in parts_by_time(single)]
         return [Entry([single])]
     fitting = _fitting(str(single))
     return [Entry([single])] if fitting is None else _numbered(fitting)
@@ -89,11 +106,32 @@ def _fitting(pattern: str) -> list[Path] | None:
         ]
     elif glob.has_magic(pattern):
         found = [name for name in glob.glob(pattern) if not Path(name).is_dir()]
+        _check_one_run(pattern, sorted(found, key=_natural))
     else:
         return None
     if not found:
         raise FileNotFoundError(f"{pattern}: there is no file whose name fits")
     return [Path(name) for name in sorted(found, key=_natural)]
+
+
+def _check_one_run(pattern: str, names: list[str]) -> None:
+    """Raise a PackingFileError if files have the same numbers in names that differ otherwise.
+
+    LIGGGHTS writes ``part_boundingBox_100.vtk`` beside ``part_100.vtk``.
+    """
+    first: dict[tuple[str, ...], str] = {}  # by numbers
+    seen: set[tuple[str, ...]] = set()
+    for name in names:
+        parts = re.split(r"(\d+)", name)
+        other = first.setdefault(tuple(parts[1::2]), name)
+        stem, other_stem = (tuple(re.split(r"\d+", n)) for n in (name, other))
+        if stem != other_stem and (*stem, *other_stem) in seen:
+            raise PackingFileError(
+                f"{pattern}: found the files of two runs, such as {Path(other).name} and "
+                f"{Path(name).name}, expected those of one: {'[0-9]*'.join(other_stem)} or "
+                f"{'[0-9]*'.join(stem)}"
+            )
+        seen.add((*stem, *other_stem))
 
 
 def _natural(name: str) -> list[tuple[int, str]]:
@@ -121,7 +159,10 @@ def _from_series(path: Path) -> list[Entry]:
     """Entries of ParaView's .series, a JSON file."""
     try:
         files = json.loads(path.read_text("utf-8"))["files"]
-        entries = [Entry([path.parent / file["name"]], float(file["time"])) for file in files]
+        entries = [
+            Entry([path.parent / file["name"]], float(file["time"]), named_by=path)
+            for file in files
+        ]
     except (ValueError, KeyError, TypeError) as error:
         raise PackingFileError(
             f"{path}: found no list of files with times, expected one in JSON: {error}"

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Literal, overload
 import numpy as np
 import pyvista as pv
 
+from ..checks import integer_of
 from ..datasets import centres_of
 from .errors import PackingFileError
 from .packing_file import CompressedFile, has_one_step, open_file
@@ -226,6 +227,7 @@ class PackingSteps(Sequence[pv.PolyData]):
         count = len(self)
         if step is None:
             return 0
+        step = integer_of("step", step)
         if not -count <= step < count:
             there = f"{count} steps" if count > 1 else "one step"
             raise ValueError(
@@ -254,7 +256,7 @@ class PackingSteps(Sequence[pv.PolyData]):
             there = f"one of {len(known)} from {min(known):g} to {max(known):g}, such as {near:g}"
         else:
             there = f"one of {', '.join(f'{t:g}' for t in known)}"
-        raise ValueError(f"time: found {time:g}, expected {there}, as {self._name} has")
+        raise ValueError(f"time: found {time!r}, expected {there}, as {self._name} has")
 
 
 class _Series:
@@ -279,7 +281,7 @@ class _Series:
 
     def _times_in(self, entry: Entry) -> list[float]:
         """Times that the files of an entry know; empty where the series says the time."""
-        if all(has_one_step(file) for file in entry.files):
+        if all(has_one_step(file) for file in entry.files) or not entry.is_there:
             return []
         times = [self._open(file).times for file in entry.files]
         for file, found in zip(entry.files, times, strict=True):
@@ -304,6 +306,7 @@ class _Series:
     def read(self, index: int) -> pv.PolyData:
         """Read the packing of a step."""
         at, within = self._steps[index]
+        self._entries[at].check()
         parts = [self._open(file).read(within) for file in self._entries[at].files]
         packing = parts[0] if len(parts) == 1 else centres_of(pv.MultiBlock(parts))
         if packing.n_points:

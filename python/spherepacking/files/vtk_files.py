@@ -8,6 +8,7 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING
 from xml.etree import ElementTree
 
+import numpy as np
 import pyvista as pv
 
 from ..datasets import centres_of, wrap
@@ -31,6 +32,18 @@ EXTENSIONS = (
 SINGLE_STEP = (".vtk", ".vtp", ".vtu", ".vti", ".vtr", ".vts", ".pvtk", ".pvtp", ".pvtu")
 # They name further files.
 INDICES = (".vtm", ".vtmb", ".vtpd", ".pvtk", ".pvtp", ".pvtu", ".pvti", ".pvtr", ".pvts", ".pvd")
+
+# What programs call velocities, LIGGGHTS the first.
+_VELOCITIES = ("v", "vel", "velo", "Velocity", "velocities", "V")
+_ENDINGS = ("_x _y _z", "_X _Y _Z", ":0 :1 :2", "_0 _1 _2", "[0] [1] [2]")
+_VELOCITY_PARTS = [
+    *(("vx", "vy", "vz"), ("Vx", "Vy", "Vz")),
+    *(
+        tuple(stem + ending for ending in endings.split())
+        for stem in ("velocity", "v", "vel", "velo", "Velocity")
+        for endings in _ENDINGS
+    ),
+]
 
 
 class VtkFile:
@@ -80,7 +93,24 @@ class VtkFile:
                 raise ValueError(message)
         except (TypeError, ValueError) as error:
             raise PackingFileError(f"{self._path}: {error}") from None
+        _add_velocity(packing)
         return finished(packing, self._path, self._request)
+
+
+def _add_velocity(packing: pv.PolyData) -> None:
+    """Add the array ``velocity`` where the file calls it otherwise, as the reader of texts does."""
+    arrays = packing.point_data
+    if "velocity" in arrays or not packing.n_points:
+        return
+    shapes = {name: arrays[name].shape[1:] for name in arrays if arrays[name].dtype.kind in "iuf"}
+    for name in _VELOCITIES:
+        if shapes.get(name) == (3,):
+            arrays["velocity"] = arrays[name]
+            return
+    for parts in _VELOCITY_PARTS:
+        if all(shapes.get(part) == () for part in parts):
+            arrays["velocity"] = np.column_stack([arrays[part] for part in parts])
+            return
 
 
 @contextmanager

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import math
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -17,6 +18,9 @@ if TYPE_CHECKING:
 
 # The flags that LAMMPS and others write: how often a sphere has crossed each face.
 _FLAGS = ("ix", "iy", "iz")
+
+# Points, shifts, numbers and vertices of a copy, and what is made on the way to them.
+_BYTES_OF_A_COPY = 400
 
 # Images per sphere that are tried, far more than of any cell in use.
 _MOST_IMAGES = 100_000
@@ -57,13 +61,16 @@ def wrapped(packing: pv.PolyData) -> pv.PolyData:
 def replicated(packing: pv.PolyData, counts: Iterable[int]) -> pv.PolyData:
     """Put so many copies side by side along each vector of the cell, which grows with them."""
     cell = cell_of(packing)
-    shifts = np.array(list(itertools.product(*map(range, counts))), np.int32)
     n = packing.n_points
-    if n * len(shifts) > checks.LARGEST_INT:
+    counts = list(counts)
+    copies = math.prod(counts)
+    most = min(checks.LARGEST_INT, checks.half_of_memory() // _bytes_per_copy(packing))
+    if copies * max(n, 1) > most:
         raise ValueError(
-            f"nx, ny, nz: found {len(shifts)} copies of {n} spheres, expected at most "
-            f"{checks.LARGEST_INT} spheres"
+            f"nx, ny, nz: found {copies} copies of {n} spheres, expected at most {most} spheres, "
+            "for which there is memory"
         )
+    shifts = np.array(list(itertools.product(*map(range, counts))), np.int32)
     shift = np.repeat(shifts, n, axis=0)
     result = _taken(packing, cell, np.tile(np.arange(n), len(shifts)), shift)
     for name in ("image", *_FLAGS):
@@ -72,6 +79,16 @@ def replicated(packing: pv.PolyData, counts: Iterable[int]) -> pv.PolyData:
     repeats = shifts[-1] + 1
     set_cell(result, Cell(cell.vectors * repeats[:, None], cell.origin, cell.periodic))
     return result
+
+
+def _bytes_per_copy(packing: pv.PolyData) -> int:
+    """Bytes of a sphere's copy: what is known of it, and what making it takes."""
+    data = packing.GetPointData()
+    arrays = [data.GetAbstractArray(i) for i in range(data.GetNumberOfArrays())]
+    values = sum(
+        array.GetNumberOfComponents() * max(array.GetDataTypeSize(), 8) for array in arrays
+    )
+    return _BYTES_OF_A_COPY + 2 * values
 
 
 def with_ghosts(packing: pv.PolyData) -> pv.PolyData:

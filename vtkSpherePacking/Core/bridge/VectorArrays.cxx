@@ -26,32 +26,51 @@ struct Vector
   std::array<std::string, 3> Components;
 };
 
+using Endings = std::array<const char*, 3>;
+
+constexpr std::array<Endings, 5> KnownEndings{ { { "_x", "_y", "_z" }, { "_X", "_Y", "_Z" },
+  { ":0", ":1", ":2" }, { "_0", "_1", "_2" }, { "[0]", "[1]", "[2]" } } };
+
+Vector WithEndings(const std::string& name, const std::string& stem, const Endings& endings)
+{
+  return { name, { stem + endings[0], stem + endings[1], stem + endings[2] } };
+}
+
 // The words of LAMMPS, LIGGGHTS and other DEM programs for components, and of the trade for the
 // vector.
 std::vector<Vector> KnownVectors()
 {
   std::vector<Vector> vectors;
-  for (const auto& [stem, name] : std::array<std::array<const char*, 2>, 7>{ { { "v", "velocity" },
-         { "f", "force" }, { "omega", "angular_velocity" }, { "w", "angular_velocity" },
-         { "tq", "torque" }, { "angmom", "angular_momentum" }, { "mu", "dipole" } } })
+  for (const auto& [stem, name] :
+    std::array<std::array<const char*, 2>, 8>{ { { "v", "velocity" }, { "V", "velocity" },
+      { "f", "force" }, { "omega", "angular_velocity" }, { "w", "angular_velocity" },
+      { "tq", "torque" }, { "angmom", "angular_momentum" }, { "mu", "dipole" } } })
   {
-    const std::string s = stem;
-    vectors.push_back({ name, { s + 'x', s + 'y', s + 'z' } });
+    vectors.push_back(WithEndings(name, stem, { "x", "y", "z" }));
+  }
+  // Those of VTK's files by LIGGGHTS, and of OVITO and ASE in extended XYZ.
+  for (const char* const stem : { "v", "vel", "velo", "Velocity" })
+  {
+    for (const Endings& endings : KnownEndings)
+    {
+      vectors.push_back(WithEndings("velocity", stem, endings));
+    }
   }
   return vectors;
 }
 
-// NAME of NAME_x, NAME:0 or NAME_0, with the two that follow; an empty name if `first` is no such.
+// NAME of NAME_x, NAME:0, NAME_0 or NAME[0], with the two that follow; an empty name if `first` is
+// no such.
 Vector VectorOf(const std::string& first)
 {
-  for (const char* endings : { "_x_y_z", "_X_Y_Z", ":0:1:2", "_0_1_2" })
+  for (const Endings& endings : KnownEndings)
   {
-    const std::string_view ending(endings, 2);
-    if (first.size() > 2 && std::string_view(first).substr(first.size() - 2) == ending)
+    const std::string_view ending = endings[0];
+    if (first.size() > ending.size() &&
+      std::string_view(first).substr(first.size() - ending.size()) == ending)
     {
-      const std::string name = first.substr(0, first.size() - 2);
-      return { name,
-        { first, name + std::string(endings + 2, 2), name + std::string(endings + 4, 2) } };
+      const std::string name = first.substr(0, first.size() - ending.size());
+      return WithEndings(name, name, endings);
     }
   }
   return {};
@@ -141,9 +160,9 @@ bool IsMadeOfParts(vtkPointData* data, vtkDataArray* vectors)
     return false;
   }
   std::vector<Vector> candidates = KnownVectors();
-  for (const char* ending : { "_x", "_X", ":0", "_0" })
+  for (const Endings& endings : KnownEndings)
   {
-    candidates.push_back(VectorOf(name + ending));
+    candidates.push_back(WithEndings(name, name, endings));
   }
   // Of several AddVectors() takes one, so all have to be the same.
   bool any = false;

@@ -13,7 +13,8 @@ namespace spherepacking
 /**
  * Adds an array of vectors for every three arrays of numbers that are its components: `velocity`
  * of vx, vy, vz, and so on by the words of DEM programs and LAMMPS; NAME of NAME_x, NAME_y, NAME_z,
- * of NAME:0, NAME:1, NAME:2, and of NAME_0, NAME_1, NAME_2 (which ParaView's tables have). The
+ * of NAME:0, NAME:1, NAME:2, of NAME_0, NAME_1, NAME_2 (which ParaView's tables have) and of
+ * NAME[0], NAME[1], NAME[2]. Where NAME is v, vel, velo or Velocity, `velocity`, too. The
  * components stay. A name that is taken is left alone.
  */
 void AddVectors(vtkPointData* data);

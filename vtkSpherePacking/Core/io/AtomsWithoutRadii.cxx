@@ -65,8 +65,8 @@ void RefuseAtomsWithoutRadii(const std::string& file, const TextRange& head)
   const bool molecule = what == Pdb || what == Cif;
   throw PackingFileError(vtkErrorCode::FileFormatError,
     file + ": found " + what + ", expected a file with radii" +
-      (molecule ? "; in Python, spherepacking.read gives the atoms van der Waals radii after pip "
-                  "install 'spherepacking[formats]'"
+      (molecule ? "; in Python, spherepacking.read gives atoms of files named .pdb or .cif van "
+                  "der Waals radii after pip install 'spherepacking[formats]'"
                 : ""));
 }
 }
