@@ -103,6 +103,10 @@ def test_names_with_a_diameter_over_five_columns(read_text, names):
         "theta phi rho r",
         "lat lon r z",
         "a b c r",
+        "x y z : mass",
+        "xyz mass",
+        "position, mass",
+        "position and velocity",
     ],
 )
 def test_lists_of_other_names_over_four_columns(refused, names):

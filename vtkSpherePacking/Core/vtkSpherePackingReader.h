@@ -40,12 +40,16 @@
  * and radii) are understood, and for centres also pos_x, x_pos, center_x, cx, Points:0 and the
  * like. The full words radius and diameter come before r and d. R beside G and B is red, not a
  * radius: these become an array `rgb`, of bytes for whole numbers up to 255 and of floats for
- * numbers up to 1. r beside theta and phi is a distance.
+ * numbers up to 1. r beside an angle such as theta or phi is a distance. Radius and diameter are
+ * understood in German, French, Italian, Spanish, Russian and Chinese, too, and one name for all
+ * coordinates, as in "position diameter". A header may have no name for an index that counts the
+ * rows before all columns, as pandas and R write it.
  *
  * By their places, the first four columns are x, y, z and radius: if nobody names columns, if the
  * first four names are these, or if there are only four. It is an error if a comment names columns
- * in a way that is not certain, if whole numbers in the first of five or more columns may be ids,
- * or if the first row may be a count and a box. Columns says what they are.
+ * in a way that is not certain or that is not x, y, z and radius, if a comment further down names
+ * other columns than those before it, if whole numbers in the first of five or more columns may be
+ * ids, or if the first row may be a count and a box. Columns says what they are.
  *
  * Numbers are rounded once, to the precision of the output, as by strtod and strtof, in any locale.
  *

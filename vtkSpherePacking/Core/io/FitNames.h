@@ -53,7 +53,8 @@ std::vector<std::string_view> WithoutNumbers(const std::vector<std::string_view>
 /**
  * Reads `line` as the names of `count` columns. Names may stand between blanks, commas, tabs or
  * wide gaps, may be of two words ("particle id"), have the number of their column before them
- * ("1:x") and a unit after them ("x [mm]" or "x mm"). It fits if a reading has as many names as
+ * ("1:x") and a unit after them ("x [mm]" or "x mm"). One name may stand for all coordinates
+ * ("position diameter", "(x, y, z), r"). It fits if a reading has as many names as
  * there are columns, and all readings that do agree on which are the coordinates and the radius.
  */
 NamesFit FitNames(std::string_view line, std::size_t count, Radii radii);

@@ -21,10 +21,12 @@ bool IsLetter(char c)
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
+// Drops what only stands between names.
 void DropAnd(Names& words)
 {
-  const auto isAnd = [](std::string_view word) { return word == "and" || word == "&"; };
-  words.erase(std::remove_if(words.begin(), words.end(), isAnd), words.end());
+  const auto isBetween = [](std::string_view word)
+  { return word == "and" || word.find_first_not_of(":|&-") == word.npos; };
+  words.erase(std::remove_if(words.begin(), words.end(), isBetween), words.end());
 }
 
 // Whether the words are a sentence, or give values.
@@ -44,7 +46,7 @@ bool IsSentence(const Names& words)
 bool IsNameLike(std::string_view word)
 {
   static const Words usual{ "lat", "lon", "lng", "latitude", "longitude", "rho", "mass", "time",
-    "type", "density", "volume", "charge", "material", "label", "height", "depth" };
+    "type", "density", "volume", "charge", "material", "label", "velocity", "height", "depth" };
   const bool letters = std::all_of(word.begin(), word.end(), IsLetter);
   const bool ofAxis = word.size() > 2 && (word[1] == '-' || word[1] == '_') &&
     std::string_view("xyzXYZ").find(word[0]) != std::string_view::npos;
@@ -124,8 +126,10 @@ SpelledNames SpellPosition(std::string_view line)
     const NameMeaning meaning = MeaningOfName(word);
     return meaning.What == NameMeaning::Radius || meaning.What == NameMeaning::Diameter;
   };
+  const bool otherNames = position == words.begin() && after != words.end() &&
+    std::all_of(after, words.end(), IsNameLike);
   if (std::any_of(words.begin(), position, isAxis) || std::any_of(after, words.end(), isAxis) ||
-    std::none_of(words.begin(), words.end(), isSize))
+    (!otherNames && std::none_of(words.begin(), words.end(), isSize)))
   {
     return spelled;
   }

@@ -24,8 +24,8 @@ struct SpelledNames
   bool RadiusFollows = false;     ///< right behind it, as in rows that nobody names
 };
 
-/// Spells the coordinates in `line`, which has names of a size and "position", "xyz" or "(x, y, z)"
-/// among its names; a sentence is no list.
+/// Spells the coordinates in `line`, which has "position", "xyz" or "(x, y, z)" among its names and
+/// that of a size or nothing but usual names; a sentence is no list.
 SpelledNames SpellPosition(std::string_view line);
 }
 

@@ -119,7 +119,7 @@ void FindSize(const std::string& plain, NameMeaning& meaning)
   };
   static const std::array<Size, 2> sizes{
     { { NameMeaning::Radius,
-        { "radius", "radii", "rayon", "raggio", "radio",
+        { "radius", "radii", "halbmesser", "rayon", "raggio", "radio",
           "\xD1\x80\xD0\xB0\xD0\xB4\xD0\xB8\xD1\x83\xD1\x81", // Russian
           "\xD0\xA0\xD0\xB0\xD0\xB4\xD0\xB8\xD1\x83\xD1\x81",
           "\xE5\x8D\x8A\xE5\xBE\x84" }, // Chinese
