@@ -198,9 +198,9 @@ std::vector<Column> PlainColumns(const std::vector<std::string_view>& row)
 // How to say that rows have radii though nobody names them.
 std::string ColumnsHint(const std::vector<std::string_view>& row)
 {
-  const bool named = !row.empty() && !IsNumber(row[0]);
+  const std::size_t named = !row.empty() && !IsNumber(row[0]) ? 1 : 0;
   return row.size() < 4 + named ? ""
-                                : std::string(", or columns=\"") + (named ? "element " : "") +
+                                : std::string(", or columns=\"") + (named == 1 ? "element " : "") +
       "x y z r\" (--columns) if the columns are these";
 }
 
