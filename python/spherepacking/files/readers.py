@@ -80,7 +80,11 @@ class SpherePackingReader(pv.BaseReader, pv.TimeReader):  # type: ignore[type-ar
 
     @property
     def time_values(self) -> list[float]:
-        """Return the time steps of a dump; empty for other files."""
+        """Return the times of the steps; empty for files without steps.
+
+        VTK asks for times that increase. Where those of the file do not, as after a restart, or
+        where a step has none, these are 0, 1, 2 and so on; `spherepacking.steps` has the file's.
+        """
         # What is wrong with the file is raised when it is read.
         with ErrorLog(self.reader):
             self.reader.UpdateInformation()
