@@ -93,20 +93,25 @@ def above_zero(name: str, value: float) -> float:
         raise ValueError(f"{name}: found {value!r}, expected a number above 0") from None
 
 
+def _index_of(value: int) -> int | None:
+    """`value` as an integer; None for truth values and what is none."""
+    try:
+        return None if isinstance(value, bool) else operator.index(value)
+    except TypeError:
+        return None
+
+
 def integer_of(name: str, value: int) -> int:
     """`value` as an integer, or a TypeError; neither text nor truth value."""
-    try:
-        return operator.index(None if isinstance(value, bool) else value)  # type: ignore[arg-type]
-    except TypeError:
-        raise TypeError(f"{name}: found {value!r}, expected an integer") from None
+    index = _index_of(value)
+    if index is None:
+        raise TypeError(f"{name}: found {value!r}, expected an integer")
+    return index
 
 
 def count_of(name: str, value: int, least: int = 1, most: int = LARGEST_INT) -> int:
     """`value` as an integer from `least` to `most`, or a TypeError or ValueError."""
-    try:
-        count = None if isinstance(value, bool) else operator.index(value)
-    except TypeError:
-        count = None
+    count = _index_of(value)
     if count is None or not least <= count <= most:
         raise (TypeError if count is None else ValueError)(
             f"{name}: found {value!r}, expected an integer from {least} to {most}"

@@ -146,7 +146,7 @@ void AddVelocities(PackingArrays& atoms, const char* textEnd, const LammpsSectio
 {
   const double* const atomIds = atoms.FindExtra("id");
   const TableLayout layout = LayoutOfVelocities(section.Rows);
-  const auto chunks = CutIntoChunks(section.Rows, layout.Rows, options.ChunkSize, 0, progress);
+  const auto chunks = CutIntoChunks(section.Rows, RowKind::Data, options.ChunkSize, 0, progress);
   CheckCount(atoms.GetCount(), "velocities", section.Line, CountRows(chunks));
   const PackingArrays velocities = ParseTable(textEnd, layout, chunks, false, progress);
   const double* const ids = velocities.FindExtra("id");
@@ -209,7 +209,8 @@ PackingArrays ParseLammpsData(
   }
   const TableLayout layout = LayoutOfAtoms(file, options);
   progress.SetRange(0.2, 0.3);
-  const auto chunks = CutIntoChunks(file.Atoms->Rows, layout.Rows, options.ChunkSize, 0, progress);
+  const auto chunks =
+    CutIntoChunks(file.Atoms->Rows, RowKind::Data, options.ChunkSize, 0, progress);
   CheckCount(file.Count, "atoms", file.CountLine, CountRows(chunks));
   progress.SetRange(0.3, 0.8);
   PackingArrays arrays = ParseTable(bytes.End(), layout, chunks, options.Single, progress);

@@ -27,7 +27,7 @@ PackingArrays ParseTextTable(
     CheckNotCut(text);
   }
   progress.SetRange(0.2, 0.3);
-  const auto chunks = CutIntoChunks(text, layout.Rows, options.ChunkSize, 0, progress);
+  const auto chunks = CutIntoChunks(text, RowKind::Data, options.ChunkSize, 0, progress);
   if (options.Columns.empty())
   {
     CheckLaterNames(text, chunks, layout, RadiiOf(options));

@@ -32,8 +32,7 @@ vtkIdType ParseBlocks(LineBlocks& blocks, const StepRows& rows, unsigned long lo
         {
           CheckNotCut(text);
         }
-        const auto chunks =
-          CutIntoChunks(text, parser.Layout().Rows, options.ChunkSize, count, silent);
+        const auto chunks = CutIntoChunks(text, RowKind::Data, options.ChunkSize, count, silent);
         count = std::max(count, CountRows(chunks));
         if (count <= parser.Count())
         {

@@ -55,7 +55,7 @@ void MarkTextByFirstRow(TableLayout& layout, const TextRange& rows)
   for (const char* p = rows.Begin; p != rows.End;)
   {
     const char* end = find(p);
-    if (IsRow(layout.Rows, p, end))
+    if (IsRow(RowKind::Data, p, end))
     {
       MarkTextColumns(layout, p);
       return;

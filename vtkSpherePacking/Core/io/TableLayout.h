@@ -28,7 +28,6 @@ struct TableLayout
 {
   std::vector<Column> Columns;
   Separators Between = Separators::Liberal();
-  RowKind Rows = RowKind::Data;
   std::optional<SimulationCell> Box; ///< if the coordinates are scaled, that is fractions of it
   std::string Expected;              ///< describes the columns, for messages
   Naming Named = Naming::All;

@@ -21,8 +21,7 @@ struct BadRow
 };
 
 template <typename Parser>
-void ParseChunk(
-  const TextChunk& chunk, const TableLayout& layout, const Parser& parser, BadRow& bad)
+void ParseChunk(const TextChunk& chunk, const Parser& parser, BadRow& bad)
 {
   LineFinder find(chunk.End);
   vtkIdType row = chunk.FirstRow;
@@ -30,7 +29,7 @@ void ParseChunk(
   {
     p = parser.ParsePlainRows(p, chunk.End, row);
     const char* end = p;
-    if (p != chunk.End && IsRow(layout.Rows, p, chunk.End))
+    if (p != chunk.End && IsRow(RowKind::Data, p, chunk.End))
     {
       end = parser.Parse(p, row, bad.Fault);
       if (!end)
@@ -106,7 +105,7 @@ void ParseInto(PackingArrays& arrays, const ExtraColumns& extras, const char* te
     {
       for (vtkIdType i = first; i < last; ++i)
       {
-        ParseChunk(chunks[i], layout, parser, bad[i]);
+        ParseChunk(chunks[i], parser, bad[i]);
         if (bad[i].Line)
         {
           failed = true;
@@ -198,7 +197,7 @@ void CheckNoShortRow(const TextRange& text, const TableLayout& layout)
   for (const char* p = text.Begin; p != text.End; ++line)
   {
     const char* const end = find(p);
-    if (IsRow(layout.Rows, p, end) && layout.Between.Split(p).size() < layout.Columns.size())
+    if (IsRow(RowKind::Data, p, end) && layout.Between.Split(p).size() < layout.Columns.size())
     {
       ThrowColumnCount(line, layout, p);
     }
