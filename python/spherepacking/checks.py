@@ -52,8 +52,8 @@ LARGEST_SEED = 2**32 - 1
 """Seed of the path tracer: an unsigned int of C++."""
 LARGEST_TRACED_SIDE = 65536
 """Side of a traced picture, in pixels: far more than any use, so that a slip is refused."""
-LARGEST_DRAWN_SIDE = 16384
-"""Side of a drawn picture, in pixels: what every implementation of OpenGL has for a texture."""
+LARGEST_DRAWN_SIDE = 32768
+"""Side of a drawn picture, in pixels: drawn in tiles, far more than is printed on a wall."""
 LARGEST_SPECULAR_POWER = 128.0
 """Specular power: as in VTK."""
 LARGEST_RAY_SAMPLES = 16

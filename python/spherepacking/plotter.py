@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import fields, replace
-from typing import TYPE_CHECKING, cast
+from typing import TYPE_CHECKING
 
 import numpy as np
 import pyvista as pv
@@ -20,7 +20,7 @@ from .metaballs.plotter import MetaballsOfPlotter
 
 if TYPE_CHECKING:
     import os
-    from collections.abc import Sequence
+    from collections.abc import Iterator, Sequence
     from typing import Any
 
     from numpy.typing import ArrayLike
@@ -412,29 +412,89 @@ class PackingComponent(GranularOfPlotter, MetaballsOfPlotter):
         RuntimeError
             If the spheres cannot be drawn in this view; nothing is written.
         TypeError, ValueError
-            If the format is unknown, or the picture's size is invalid or above 16384 along a side.
+            If the format is unknown, or the picture's size is invalid, above 32768 along a side, or
+            more than half of the memory.
         """
-        from .draw.mapper import SpherePackingMapper
+        from .draw.picture import check_drawn_size
         from .files.image import check_output, write_image
 
         check_output(filename)
+        if transparent_background is None:
+            transparent_background = bool(self.plotter.theme.transparent_background)
+        factor, size = self._drawn_size(window_size, scale)
+        channels = 4 if transparent_background else 3
+        check_drawn_size("window_size", size, channels, whole=True)
+        pixels = np.empty((size[1], size[0], channels), np.uint8)
+        row = 0
+        for strip in self.strips(size, transparent_background, factor):
+            pixels[row : row + len(strip)] = strip
+            row += len(strip)
+        write_image(filename, pixels)
+        return pixels
+
+    def _drawn_size(
+        self, window_size: tuple[int, int] | None, scale: int | None
+    ) -> tuple[int, tuple[int, int]]:
+        """The factor of a screenshot, and its width and height in pixels."""
         largest = checks.LARGEST_DRAWN_SIDE
         factor = 1 if scale is None else checks.count_of("scale", scale, most=largest)
-        size = self.plotter.window_size if window_size is None else window_size
-        checks.size_of("window_size", size, most=largest // factor)
-        # Upstream: PyVista 0.49's screenshot does not render again, and would miss what has changed
-        # since the last rendering.
-        self.plotter.render()
-        pixels = cast(
-            "np.ndarray",
-            self.plotter.screenshot(
-                None,
-                return_img=True,
-                transparent_background=transparent_background,
-                window_size=window_size,
-                scale=scale,
-            ),
+        width, height = checks.size_of(
+            "window_size",
+            self.plotter.window_size if window_size is None else window_size,
+            most=largest // factor,
         )
+        return factor, (factor * width, factor * height)
+
+    def strips(
+        self, size: tuple[int, int], transparent: bool, scale: int = 1
+    ) -> Iterator[np.ndarray]:
+        """Draw the view strip by strip from the top, as :meth:`screenshot` saves it.
+
+        For pictures that do not fit into memory.
+
+        Parameters
+        ----------
+        size : tuple[int, int]
+            Width and height in pixels.
+        transparent : bool
+            Whether pixels have an alpha channel, 0 where there is nothing.
+        scale : int, default: 1
+            How many times as large as usual texts are.
+
+        Yields
+        ------
+        numpy.ndarray
+            Pixels (rows, width, 3 or 4), uint8, the upper row first.
+
+        Raises
+        ------
+        RuntimeError
+            If the spheres cannot be drawn in this view.
+
+        Examples
+        --------
+        >>> import pyvista as pv
+        >>> import spherepacking
+        >>> plotter = pv.Plotter(off_screen=True)
+        >>> actor = plotter.packing.add(spherepacking.apollonian(3))
+        >>> [strip.shape for strip in plotter.packing.strips((300, 200), False)]
+        [(200, 300, 3)]
+        >>> plotter.close()
+        """
+        from .draw.picture import strips
+
+        try:
+            for strip in strips(self.plotter, size, transparent=transparent, scale=scale):
+                self._check_drawn()
+                yield strip
+        except RuntimeError:
+            self._check_drawn()  # which knows better what is wrong
+            raise
+
+    def _check_drawn(self) -> None:
+        """Raise a RuntimeError if the last rendering lacks spheres."""
+        from .draw.mapper import SpherePackingMapper
+
         for renderer in self.plotter.renderers:
             for actor in renderer.actors.values():
                 mapper = getattr(actor, "mapper", None) if actor.GetVisibility() else None
@@ -443,8 +503,6 @@ class PackingComponent(GranularOfPlotter, MetaballsOfPlotter):
         for picture in self._pictures:
             if picture.error is not None:
                 raise RuntimeError(f"the spheres cannot be traced: {picture.error}")
-        write_image(filename, np.asarray(pixels))
-        return pixels
 
 
 def _check_scene(plotter: pv.BasePlotter, name: str | None) -> None:

@@ -221,9 +221,7 @@ def check_view(options: RenderOptions) -> None:
     """Raise a ValueError if there is no such picture."""
     from ..checks import LARGEST_DRAWN_SIDE
 
-    size = options.size
-    # Smoothing draws a picture of twice the size.
-    largest = LARGEST_DRAWN_SIDE // 2 if options.anti_aliasing else LARGEST_DRAWN_SIDE
+    size, largest = options.size, LARGEST_DRAWN_SIDE
     if min(size) < 1 or max(size) > largest:
         raise ValueError(
             f"--size: found {size[0]} {size[1]}, expected numbers of pixels from 1 to {largest}"

@@ -10,7 +10,7 @@ import numpy as np
 import pyvista as pv
 
 from ..checks import color_of
-from ..files.image import check_output
+from ..files.image import check_output, write_strips
 from ..look.scalars import means_colors
 from ..vtk_tools import window_of
 from .camera import aim, fit
@@ -122,9 +122,17 @@ def _draw(packing: pv.PolyData, options: RenderOptions, scene: Scene, *, several
             save_path_trace(plotter, packing, look, options)
         else:
             plotter.renderer.ResetCameraClippingRange()
-            plotter.packing.screenshot(options.output, transparent_background=options.transparent)
+            _save(plotter, options)
     finally:
         plotter.close()
+
+
+def _save(plotter: pv.Plotter, options: RenderOptions) -> None:
+    """Save what the plotter shows, which need not fit into memory."""
+    width, height = options.size
+    strips = plotter.packing.strips(options.size, options.transparent)
+    shape = (height, width, 4 if options.transparent else 3)
+    write_strips(options.output, shape, np.dtype(np.uint8), strips)
 
 
 def _check(options: RenderOptions) -> None:

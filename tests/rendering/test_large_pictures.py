@@ -1,0 +1,272 @@
+"""Pictures that are larger than one framebuffer: drawn in tiles, the same as in one piece."""
+
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+import pyvista as pv
+import spherepacking
+from spherepacking.backend import vtkSpherePackingTiles, vtkSpherePackingWindowCheck
+from spherepacking.draw import picture
+from spherepacking.files.image import read_image
+
+SIZE = (801, 603)
+
+
+@pytest.fixture
+def tiles(monkeypatch):
+    """Draw whatever is larger than 250 pixels in tiles of 250, and count them."""
+    drawn = []
+    pixels_of = picture._pixels_of
+
+    def counted(*args):
+        drawn.append(args)
+        return pixels_of(*args)
+
+    monkeypatch.setattr(picture, "_LARGEST_PIECE", 250)
+    monkeypatch.setattr(picture, "_TILE", 250)
+    monkeypatch.setattr(picture, "_STEP", 200)
+    monkeypatch.setattr(picture, "_pixels_of", counted)
+    return drawn
+
+
+def add_text(plotter):
+    plotter.add_text("Top left", position="upper_left", font_size=20)
+    plotter.add_text("at 300, 190", position=(300, 190), font_size=14)
+
+
+def add_subplot(plotter):
+    plotter.subplot(0, 1)
+    plotter.packing.add(spherepacking.apollonian(2), color="red")
+
+
+def make_parallel(plotter):
+    plotter.enable_parallel_projection()
+    plotter.camera.parallel_scale = 1.2
+
+
+def make_translucent(plotter):
+    plotter.render_window.SetMultiSamples(1)
+    plotter.enable_depth_peeling()
+    plotter.packing.add(spherepacking.apollonian(2), color="red", opacity=0.4)
+
+
+def use_explicit_projection(plotter):
+    camera = plotter.camera
+    camera.position, camera.focal_point = (3, 3, 3), (0, 0, 0)
+    camera.is_set = True
+    plotter.renderer.ResetCameraClippingRange()
+    matrix = pv._vtk.vtkMatrix4x4()
+    matrix.DeepCopy(camera.GetProjectionTransformMatrix(SIZE[0] / SIZE[1], -1.0, 1.0))
+    camera.SetExplicitProjectionTransformMatrix(matrix)
+    camera.SetUseExplicitProjectionTransformMatrix(True)
+
+
+SCENES = {
+    "one sample": lambda plotter: plotter.render_window.SetMultiSamples(0),
+    "eight samples": lambda plotter: plotter.render_window.SetMultiSamples(8),
+    "text": add_text,
+    "axes": lambda plotter: plotter.add_axes(),
+    "subplot": add_subplot,
+    "parallel": make_parallel,
+    "moved centre": lambda plotter: plotter.camera.SetWindowCenter(0.3, -0.2),
+    "horizontal angle": lambda plotter: plotter.camera.SetUseHorizontalViewAngle(True),
+    "explicit projection": use_explicit_projection,
+    "filter": lambda plotter: plotter.renderer.SetUseFXAA(True),
+    "translucent": make_translucent,
+    "mesh": lambda plotter: plotter.add_mesh(pv.Cube().translate((1, 0, 0)), color="red"),
+}
+
+
+def drawn(name, path, **kwargs):
+    plotter = pv.Plotter(
+        off_screen=True, window_size=SIZE, shape=(1, 2 if name == "subplot" else 1)
+    )
+    try:
+        plotter.packing.add(
+            spherepacking.apollonian(4), scalars="radius", log_scale=True, specular=0.3
+        )
+        SCENES[name](plotter)
+        return plotter.packing.screenshot(path, **kwargs).astype(int)
+    finally:
+        plotter.close()
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_tiles_are_not_seen(name, tiles, tmp_path, monkeypatch):
+    """All pixels are those of a picture in one piece, but for a few at edges of triangles."""
+    found = drawn(name, tmp_path / "tiles.png")
+    assert len(tiles) == 12
+    monkeypatch.undo()
+    expected = drawn(name, tmp_path / "whole.png")
+    assert len(tiles) == 12
+    assert found.shape == expected.shape == (SIZE[1], SIZE[0], 3)
+    assert expected.std() > 20
+    assert (np.abs(found - expected).max(axis=2) > 0).sum() <= 4
+    assert (read_image(tmp_path / "tiles.png") == found).all()
+
+
+def test_a_gradient_is_continuous(tiles, tmp_path, monkeypatch):
+    """VTK dithers by half a step."""
+    SCENES["gradient"] = lambda plotter: plotter.set_background("red", top="blue")
+    try:
+        found = drawn("gradient", tmp_path / "tiles.png")
+        monkeypatch.undo()
+        assert np.abs(found - drawn("gradient", tmp_path / "whole.png")).max() <= 1
+    finally:
+        del SCENES["gradient"]
+
+
+def test_transparent_pictures(tiles, tmp_path, monkeypatch):
+    found = drawn("one sample", tmp_path / "tiles.png", transparent_background=True)
+    assert tiles
+    monkeypatch.undo()
+    expected = drawn("one sample", tmp_path / "whole.png", transparent_background=True)
+    assert found.shape[2] == 4
+    assert 0 < (found[..., 3] == 0).mean() < 1
+    assert (found != expected).any(axis=2).sum() <= 4
+
+
+def test_scaled_pictures_have_large_text(tiles, tmp_path, monkeypatch):
+    found = drawn("text", tmp_path / "tiles.png", scale=2)
+    assert tiles
+    monkeypatch.undo()
+    small = drawn("text", tmp_path / "small.png")
+    assert found.shape == (2 * SIZE[1], 2 * SIZE[0], 3)
+    ink = [(pixels[: len(pixels) // 6] < 128).all(axis=2).sum() for pixels in (found, small)]
+    assert 3.5 < ink[0] / ink[1] < 4.5
+
+
+def test_supersampling_is_on_one_grid(monkeypatch, tmp_path):
+    """305 pixels are 682.0007 samples: tiles at multiples of that have the samples of the whole."""
+
+    def smooth(path):
+        plotter = pv.Plotter(off_screen=True, window_size=(915, 610))
+        try:
+            plotter.enable_anti_aliasing("ssaa")
+            plotter.packing.add(spherepacking.apollonian(4), color="red", specular=0.3)
+            return plotter.packing.screenshot(path).astype(int)
+        finally:
+            plotter.close()
+
+    expected = smooth(tmp_path / "whole.png")
+    for name, value in (("_LARGEST_PIECE", 500), ("_TILE", 610), ("_STEP", 305)):
+        monkeypatch.setattr(picture, name, value)
+    found = smooth(tmp_path / "tiles.png")
+    difference = np.abs(found - expected).max(axis=2)
+    assert (difference > 2).mean() < 0.002
+    # VTK averages over the picture's edges, where the opposite one shines through.
+    assert difference[1:-1, [0, -1]].max() <= 2
+
+
+def test_a_live_picture_is_traced_once(tiles, tmp_path, monkeypatch):
+    def traced(path):
+        plotter = pv.Plotter(off_screen=True, window_size=(400, 300))
+        try:
+            plotter.render_window.SetMultiSamples(0)
+            live = plotter.packing.path_trace(spherepacking.apollonian(3), samples=1)
+            pixels = plotter.packing.screenshot(path).astype(int)
+            assert live.samples == 1
+            return pixels
+        finally:
+            plotter.close()
+
+    found = traced(tmp_path / "tiles.png")
+    assert tiles
+    monkeypatch.undo()
+    expected = traced(tmp_path / "whole.png")
+    assert (np.abs(found - expected).max(axis=2) > 1).sum() <= 4
+
+
+def test_the_plotter_is_as_it_was(tiles, tmp_path):
+    plotter = pv.Plotter(off_screen=True, window_size=(200, 150))
+    try:
+        plotter.packing.add(spherepacking.apollonian(3))
+        before = plotter.packing.screenshot(tmp_path / "a.png")
+        camera, position = plotter.renderer.GetActiveCamera(), plotter.camera_position
+        plotter.packing.screenshot(tmp_path / "b.png", window_size=(600, 450))
+        assert tiles
+        assert tuple(plotter.window_size) == (200, 150)
+        assert plotter.renderer.GetActiveCamera() is camera
+        assert plotter.camera_position == position
+        assert plotter.renderer.GetViewport() == (0, 0, 1, 1)
+        assert plotter.render_window.GetTileScale() == (1, 1)
+        assert (plotter.packing.screenshot(tmp_path / "c.png") == before).all()
+    finally:
+        plotter.close()
+
+
+def test_a_view_that_cannot_be_divided(tiles, tmp_path):
+    plotter = pv.Plotter(off_screen=True, window_size=(300, 200))
+    try:
+        plotter.packing.add(spherepacking.apollonian(3))
+        plotter.camera.SetUseOffAxisProjection(True)
+        with pytest.raises(RuntimeError, match=r"off-axis projection, expected .* at most 250 pix"):
+            plotter.packing.screenshot(tmp_path / "a.png")
+    finally:
+        plotter.close()
+    assert not (tmp_path / "a.png").exists()
+
+
+# Such a picture was black, and no error.
+_TOO_LARGE = """
+import sys
+import pyvista as pv, spherepacking
+from spherepacking.draw import picture
+picture._LARGEST_PIECE = 10**6
+plotter = pv.Plotter(off_screen=True, window_size=(20000, 4))
+if sys.argv[2] == "ssaa":
+    plotter.enable_anti_aliasing("ssaa")
+plotter.packing.add(spherepacking.apollonian(2))
+monkey = picture._largest_side
+picture._largest_side = lambda window: 10**6
+try:
+    plotter.packing.screenshot(sys.argv[1])
+except RuntimeError as error:
+    print("found:", error)
+"""
+
+
+@pytest.mark.parametrize("smoothing", ["none", "ssaa"])
+def test_what_cannot_be_drawn_is_an_error(smoothing, tmp_path):
+    path = tmp_path / "a.png"
+    run = subprocess.run(
+        [sys.executable, "-c", _TOO_LARGE, path, smoothing],
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    assert "found: the picture cannot be drawn: " in run.stdout
+    assert not path.exists()
+
+
+def test_the_limit_of_opengl():
+    plotter = pv.Plotter(off_screen=True, window_size=(40, 30))
+    try:
+        assert vtkSpherePackingWindowCheck.GetLargestSide(plotter.render_window) >= 4096
+        plotter.packing.add(spherepacking.apollonian(2))
+        plotter.screenshot(None)
+        assert vtkSpherePackingWindowCheck.FindProblem(plotter.render_window) == ""
+    finally:
+        plotter.close()
+
+
+def test_rendering_what_has_not_begun(capfd):
+    vtkSpherePackingTiles().Render(0, 0)
+    assert "expected Begin() before Render()" in capfd.readouterr().err
+
+
+@pytest.mark.parametrize("size", [("7411", "3"), ("3", "16500"), ("32768", "2")])
+def test_the_command_draws_long_pictures(size, tmp_path):
+    """From about 7400 pixels on they were black, and refused from 8192 on."""
+    path = tmp_path / "a.png"
+    spherepacking.write(tmp_path / "a.spheres", spherepacking.apollonian(2))
+    arguments = ["render", tmp_path / "a.spheres", "-o", path, "--size", *size]
+    view = ["--camera", "0.1", "0", "0", "--focal", "-1", "0", "0", "--no-scalar-bar"]
+    subprocess.run([sys.executable, "-m", "spherepacking", *arguments, *view], check=True)
+    pixels = read_image(path)
+    assert pixels.shape == (int(size[1]), int(size[0]), 3)
+    # From within a sphere no pixel is background.
+    assert (pixels.reshape(-1, 3) != pixels[0, 0]).any(axis=1).mean() > 0.5 or pixels.std() > 5
+    assert pixels.reshape(-1, 3).sum(axis=1).min() > 0
