@@ -49,7 +49,7 @@ def make_parallel(plotter):
 def make_translucent(plotter):
     plotter.render_window.SetMultiSamples(1)
     plotter.enable_depth_peeling()
-    plotter.packing.add(spherepacking.apollonian(2), color="red", opacity=0.4)
+    plotter.add_mesh(pv.Cube().translate((0.7, 0, 0)), color="red", opacity=0.4)
 
 
 def use_explicit_projection(plotter):
@@ -63,6 +63,11 @@ def use_explicit_projection(plotter):
     camera.SetUseExplicitProjectionTransformMatrix(True)
 
 
+def use_filter(plotter):
+    plotter.render_window.SetMultiSamples(0)
+    plotter.renderer.SetUseFXAA(True)
+
+
 SCENES = {
     "one sample": lambda plotter: plotter.render_window.SetMultiSamples(0),
     "eight samples": lambda plotter: plotter.render_window.SetMultiSamples(8),
@@ -73,7 +78,7 @@ SCENES = {
     "moved centre": lambda plotter: plotter.camera.SetWindowCenter(0.3, -0.2),
     "horizontal angle": lambda plotter: plotter.camera.SetUseHorizontalViewAngle(True),
     "explicit projection": use_explicit_projection,
-    "filter": lambda plotter: plotter.renderer.SetUseFXAA(True),
+    "filter": use_filter,
     "translucent": make_translucent,
     "mesh": lambda plotter: plotter.add_mesh(pv.Cube().translate((1, 0, 0)), color="red"),
 }
@@ -88,6 +93,9 @@ def drawn(name, path, **kwargs):
             spherepacking.apollonian(4), scalars="radius", log_scale=True, specular=0.3
         )
         SCENES[name](plotter)
+        if name == "translucent":
+            # VTK puts labels beside their places when it peels for the first time.
+            plotter.screenshot(None)
         return plotter.packing.screenshot(path, **kwargs).astype(int)
     finally:
         plotter.close()
@@ -102,7 +110,7 @@ def test_tiles_are_not_seen(name, tiles, tmp_path, monkeypatch):
     expected = drawn(name, tmp_path / "whole.png")
     assert len(tiles) == 12
     assert found.shape == expected.shape == (SIZE[1], SIZE[0], 3)
-    assert expected.std() > 20
+    assert expected.std() > 10
     assert (np.abs(found - expected).max(axis=2) > 0).sum() <= 4
     assert (read_image(tmp_path / "tiles.png") == found).all()
 
@@ -128,36 +136,58 @@ def test_transparent_pictures(tiles, tmp_path, monkeypatch):
     assert (found != expected).any(axis=2).sum() <= 4
 
 
-def test_scaled_pictures_have_large_text(tiles, tmp_path, monkeypatch):
-    found = drawn("text", tmp_path / "tiles.png", scale=2)
+def test_scaled_pictures(tiles, tmp_path, monkeypatch):
+    """VTK's own tiles have seams, and see with an angle in single precision."""
+    found = drawn("axes", tmp_path / "tiles.png", scale=2)
     assert tiles
     monkeypatch.undo()
-    small = drawn("text", tmp_path / "small.png")
+    expected = drawn("axes", tmp_path / "whole.png", scale=2)
     assert found.shape == (2 * SIZE[1], 2 * SIZE[0], 3)
-    ink = [(pixels[: len(pixels) // 6] < 128).all(axis=2).sum() for pixels in (found, small)]
-    assert 3.5 < ink[0] / ink[1] < 4.5
+    assert (np.abs(found - expected).max(axis=2) > 2).mean() < 1e-3
 
 
 def test_supersampling_is_on_one_grid(monkeypatch, tmp_path):
     """305 pixels are 682.0007 samples: tiles at multiples of that have the samples of the whole."""
 
-    def smooth(path):
+    def smooth(tile, step):
+        for name, value in (("_LARGEST_PIECE", 200), ("_TILE", tile), ("_STEP", step)):
+            monkeypatch.setattr(picture, name, value)
         plotter = pv.Plotter(off_screen=True, window_size=(915, 610))
         try:
             plotter.enable_anti_aliasing("ssaa")
-            plotter.packing.add(spherepacking.apollonian(4), color="red", specular=0.3)
-            return plotter.packing.screenshot(path).astype(int)
+            plotter.packing.add(spherepacking.apollonian(4), scalars="radius", specular=0.3)
+            add_text(plotter)
+            return plotter.packing.screenshot(tmp_path / "a.png").astype(int)
         finally:
             plotter.close()
 
-    expected = smooth(tmp_path / "whole.png")
-    for name, value in (("_LARGEST_PIECE", 500), ("_TILE", 610), ("_STEP", 305)):
-        monkeypatch.setattr(picture, name, value)
-    found = smooth(tmp_path / "tiles.png")
-    difference = np.abs(found - expected).max(axis=2)
-    assert (difference > 2).mean() < 0.002
-    # VTK averages over the picture's edges, where the opposite one shines through.
-    assert difference[1:-1, [0, -1]].max() <= 2
+    assert np.abs(smooth(610, 305) - smooth(1000, 1000)).max() <= 2
+
+
+def test_supersampling_neither_stretches_nor_repeats(monkeypatch):
+    """A white right half ends where it should, and does not shine through at the left edge."""
+
+    def profile(drawn):
+        plotter = pv.Plotter(off_screen=True, window_size=(200, 150))
+        try:
+            plotter.enable_anti_aliasing("ssaa")
+            plotter.set_background("black")
+            plotter.enable_parallel_projection()
+            half = pv.Plane(center=(0.5, 0, 0), direction=(0, 0, 1), i_size=1.0, j_size=2.0)
+            plotter.add_mesh(half, color="white", lighting=False)
+            plotter.camera_position = [(0, 0, 1), (0, 0, 0), (0, 1, 0)]
+            plotter.camera.parallel_scale = 0.75
+            (strip,) = drawn(plotter)
+            return strip[:, :, 0].astype(int)
+        finally:
+            plotter.close()
+
+    tiled = profile(lambda p: picture._in_tiles(p, (200, 150), False, 1, 400, 400))
+    assert tiled[:, :98].max() == 0
+    assert tiled[:, 102:].min() == 255
+    whole = profile(lambda p: [picture._in_one_piece(p, (200, 150), False, 1)])
+    # Upstream: VTK's fault in the same picture; once it is gone, TiledSupersampling can go.
+    assert whole[:, 0].max() > 0
 
 
 def test_a_live_picture_is_traced_once(tiles, tmp_path, monkeypatch):
@@ -261,7 +291,7 @@ def test_rendering_what_has_not_begun(capfd):
 def test_the_command_draws_long_pictures(size, tmp_path):
     """From about 7400 pixels on they were black, and refused from 8192 on."""
     path = tmp_path / "a.png"
-    spherepacking.write(tmp_path / "a.spheres", spherepacking.apollonian(2))
+    spherepacking.write(spherepacking.apollonian(2), tmp_path / "a.spheres")
     arguments = ["render", tmp_path / "a.spheres", "-o", path, "--size", *size]
     view = ["--camera", "0.1", "0", "0", "--focal", "-1", "0", "0", "--no-scalar-bar"]
     subprocess.run([sys.executable, "-m", "spherepacking", *arguments, *view], check=True)

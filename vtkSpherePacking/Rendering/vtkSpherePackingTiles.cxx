@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSpherePackingTiles.h"
 
+#include "tiles/TiledSupersampling.h"
+
 #include "vtkCamera.h"
 #include "vtkCollection.h"
 #include "vtkMath.h"
@@ -11,9 +13,7 @@
 #include "vtkOpenGLState.h"
 #include "vtkRenderer.h"
 #include "vtkRendererCollection.h"
-#include "vtkSSAAPass.h"
 #include "vtkSmartPointer.h"
-#include "vtkTextureObject.h"
 #include "vtk_glad.h"
 
 #include <algorithm>
@@ -22,6 +22,8 @@
 #include <vector>
 
 vtkStandardNewMacro(vtkSpherePackingTiles);
+
+using spherepacking::TiledSupersampling;
 
 namespace
 {
@@ -112,27 +114,6 @@ void Narrow(vtkCamera* camera, const Area& whole, const Area& part)
   }
 }
 
-// Upstream: VTK 9.7: vtkSSAAPass averages across the edges of its textures, which repeat: at an
-// edge of the picture shows what is at the opposite one; of a tile, that is in the middle of the
-// picture.
-struct SupersamplingTextures : vtkSSAAPass
-{
-  static void Clamp(vtkSSAAPass* pass, vtkOpenGLRenderWindow* window)
-  {
-    for (const auto member : { &SupersamplingTextures::Pass1, &SupersamplingTextures::Pass2 })
-    {
-      vtkSmartPointer<vtkTextureObject>& texture = pass->*member;
-      if (!texture)
-      {
-        texture = vtkSmartPointer<vtkTextureObject>::New();
-        texture->SetContext(window);
-      }
-      texture->SetWrapS(vtkTextureObject::ClampToEdge);
-      texture->SetWrapT(vtkTextureObject::ClampToEdge);
-    }
-  }
-};
-
 // A renderer of the window, and what it was before.
 struct TiledRenderer
 {
@@ -169,6 +150,7 @@ struct TiledRenderer
     {
       this->Renderer->RemoveObserver(tag);
     }
+    TiledSupersampling::StretchAgain(this->Renderer->GetPass());
     this->Renderer->SetViewport(this->Viewport);
     this->Renderer->SetDraw(this->Draw);
   }
@@ -218,11 +200,9 @@ struct vtkSpherePackingTiles::State
       static_cast<double>(this->Window->GetSize()[1]) };
     renderer->SetViewport(tiled->Whole[0].Begin / scale[0], tiled->Whole[1].Begin / scale[1],
       tiled->Whole[0].End / scale[0], tiled->Whole[1].End / scale[1]);
-    auto* opengl = vtkOpenGLRenderWindow::SafeDownCast(this->Window);
-    auto* supersampling = vtkSSAAPass::SafeDownCast(renderer->GetPass());
-    if (opengl && supersampling)
+    if (auto* opengl = vtkOpenGLRenderWindow::SafeDownCast(this->Window))
     {
-      SupersamplingTextures::Clamp(supersampling, opengl);
+      TiledSupersampling::StopRepeating(renderer->GetPass(), opengl);
     }
     tiled->Tags[0] = renderer->AddObserver(
       vtkCommand::StartEvent, tiled.get(), &TiledRenderer::UseNarrowCamera, LastPriority);
@@ -292,6 +272,10 @@ void vtkSpherePackingTiles::Render(int x, int y)
     tiled->Part = Overlap(tiled->Whole, tile);
     const bool seen = tiled->Part[0].Length() > 0 && tiled->Part[1].Length() > 0;
     tiled->Renderer->SetDraw(tiled->Draw && seen);
+    if (auto* opengl = vtkOpenGLRenderWindow::SafeDownCast(state.Window))
+    {
+      TiledSupersampling::StopStretching(tiled->Renderer->GetPass(), opengl);
+    }
   }
   Clear(state.Window);
   state.Window->Render();
