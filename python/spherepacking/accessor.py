@@ -17,6 +17,7 @@ from .packing import check_radii
 from .trace.boxes import BoxesOfPacking
 from .trace.path_trace import PathOptions, PathTracer
 from .trace.ray_cast import RayCaster
+from .vtk_tools import window_of
 
 if TYPE_CHECKING:
     import os
@@ -497,6 +498,14 @@ class PackingAccessor(BoxesOfPacking, GranularOfPacking, MetaballsOfPacking):
         Any
             What :meth:`pyvista.Plotter.show` returns.
 
+        Raises
+        ------
+        RuntimeError
+            If the window cannot be drawn into.
+        ValueError
+            If the window is larger than 4096 pixels along a side, which ``screenshot`` of
+            ``plotter.packing`` is for.
+
         Examples
         --------
         >>> import spherepacking
@@ -504,6 +513,7 @@ class PackingAccessor(BoxesOfPacking, GranularOfPacking, MetaballsOfPacking):
         >>> packing.packing.plot(cmap="magma", screenshot="packing.png")  # doctest: +SKIP
         """
         from .draw.offscreen import choose_window
+        from .draw.picture import check_one_piece, drawing_checked
         from .plotter import PackingComponent
 
         choose_window()
@@ -516,7 +526,9 @@ class PackingAccessor(BoxesOfPacking, GranularOfPacking, MetaballsOfPacking):
             if background is not None:
                 plotter.set_background(background)
             plotter.packing.add(self._dataset, **look)
-            return plotter.show(**kwargs)
+            check_one_piece(plotter, kwargs.get("window_size"))
+            with drawing_checked(window_of(plotter)):
+                return plotter.show(**kwargs)
         except BaseException:
             plotter.close()
             raise

@@ -8,6 +8,8 @@ import pytest
 import pyvista as pv
 import spherepacking
 from spherepacking.backend import vtkSpherePackingTiles, vtkSpherePackingWindowCheck
+from spherepacking.checks import half_of_memory
+from spherepacking.cli import techniques
 from spherepacking.draw import picture
 from spherepacking.files.image import read_image
 
@@ -243,6 +245,8 @@ def test_a_view_that_cannot_be_divided(tiles, tmp_path):
 _TOO_LARGE = """
 import sys
 import pyvista as pv, spherepacking
+from spherepacking.checks import half_of_memory
+from spherepacking.cli import techniques
 from spherepacking.draw import picture
 picture._LARGEST_PIECE = 10**6
 plotter = pv.Plotter(off_screen=True, window_size=(20000, 4))
@@ -300,3 +304,58 @@ def test_the_command_draws_long_pictures(size, tmp_path):
     # From within a sphere no pixel is background.
     assert (pixels.reshape(-1, 3) != pixels[0, 0]).any(axis=1).mean() > 0.5 or pixels.std() > 5
     assert pixels.reshape(-1, 3).sum(axis=1).min() > 0
+
+
+@pytest.mark.parametrize("parallel", [False, True])
+def test_rays_are_cast_strip_by_strip(parallel, monkeypatch):
+    camera = pv.Camera()
+    camera.position, camera.focal_point, camera.up = (3, 2, 2.5), (0, 0, 0.1), (0, 0, 1)
+    camera.parallel_projection, camera.parallel_scale = parallel, 1.3
+    camera.SetWindowCenter(0.1, -0.2)
+    accessor = spherepacking.apollonian(4).packing
+
+    def cast(camera, width, height):
+        image = accessor.ray_cast(camera, (width, height), samples=2, color="red")
+        return np.asarray(image["color"]).reshape(height, width, 4)[::-1]
+
+    monkeypatch.setattr(techniques, "_STRIP_PIXELS", 203 * 30)
+    strips = [
+        cast(view, 203, rows) for view, rows in techniques._views_of_strips(camera, (203, 157))
+    ]
+    assert [len(strip) for strip in strips] == [30, 30, 30, 30, 30, 7]
+    whole = cast(camera, 203, 157)
+    assert whole.std() > 20
+    assert (np.vstack(strips) == whole).all()
+
+
+@pytest.mark.parametrize(
+    ("options", "found"),
+    [
+        (["--size", "32769", "10"], "--size: found 32769 10, expected numbers of pixels from 1 to"),
+        (["--size", "32768", "32768", "--technique", "pathtrace"], "expected at most"),
+    ],
+)
+def test_the_command_refuses_what_is_too_large(options, found, tmp_path, monkeypatch):
+    if "pathtrace" in options and half_of_memory() > 32768**2 * 64:
+        pytest.skip("this machine has the memory")
+    spherepacking.write(spherepacking.apollonian(2), tmp_path / "a.spheres")
+    run = subprocess.run(
+        [sys.executable, "-m", "spherepacking", "render", "a.spheres", "-o", "a.png", *options],
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+    )
+    assert run.returncode == 2
+    assert found in run.stderr
+    assert run.stderr.count("\n") == 1
+    assert not (tmp_path / "a.png").exists()
+
+
+def test_a_window_that_is_too_large_is_not_shown(tmp_path):
+    with pytest.raises(
+        ValueError, match=r"found 5000 x 20, expected at most 4096 .*screenshot makes"
+    ):
+        spherepacking.apollonian(2).packing.plot(
+            off_screen=True, window_size=(5000, 20), screenshot=tmp_path / "a.png"
+        )
+    assert not (tmp_path / "a.png").exists()

@@ -20,7 +20,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <stdexcept>
+#include <string>
 
 vtkStandardNewMacro(vtkSpherePackingTracer);
 
@@ -121,10 +123,12 @@ void vtkSpherePackingTracer::Check() const
     spherepacking::Refuse("tile", Join(this->TileSize, 2), "two numbers from 1 on");
   }
   const double pixels = static_cast<double>(this->WindowSize[0]) * this->WindowSize[1];
-  if (pixels * this->BytesPerPixel() > spherepacking::HalfOfMemory())
+  const double most = std::floor(spherepacking::HalfOfMemory() / this->BytesPerPixel());
+  if (pixels > most)
   {
     throw std::invalid_argument("window_size: found " + Join(this->WindowSize, 2) +
-      ", which is more than fits in half of the memory, expected fewer pixels");
+      ", which is more than fits in half of the memory, expected at most " +
+      std::to_string(static_cast<std::int64_t>(most)) + " pixels");
   }
   if (!this->Camera)
   {

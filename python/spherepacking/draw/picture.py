@@ -105,6 +105,25 @@ def check_drawn_size(name: str, size: tuple[int, int], channels: int, *, whole: 
         )
 
 
+def check_one_piece(plotter: pv.BasePlotter, window_size: Sequence[int] | None) -> None:
+    """Raise a ValueError unless a picture of the plotter's window can be drawn in one piece.
+
+    Parameters
+    ----------
+    plotter : pyvista.BasePlotter
+        The plotter.
+    window_size : sequence of int, optional
+        Width and height that the window is going to have, if not those that it has.
+    """
+    width, height = plotter.window_size if window_size is None else window_size
+    if max(width, height) * plotter.image_scale > _LARGEST_PIECE:
+        scaled = f" times {plotter.image_scale}" if plotter.image_scale > 1 else ""
+        raise ValueError(
+            f"window_size: found {width} x {height}{scaled}, expected at most {_LARGEST_PIECE} "
+            "pixels along a side; plotter.packing.screenshot makes larger pictures"
+        )
+
+
 def strips(
     plotter: pv.BasePlotter, size: tuple[int, int], *, transparent: bool, scale: int = 1
 ) -> Iterator[np.ndarray]:
