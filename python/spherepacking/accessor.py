@@ -329,6 +329,9 @@ class PackingAccessor(BoxesOfPacking, GranularOfPacking, MetaballsOfPacking):
             Radiance of the sky, linear: one number, or red, green and blue; two of either for the
             bottom (-z) and the top (+z); or an equirectangular image (height, width, 3), or the
             file of one, whose upper side is +z and whose middle is +x. Integers in images are sRGB.
+            The image is what is bilinear between the middles of its pixels, around the poles what
+            the nearest row is. A file of up to 2**29 pixels is read, if half of the memory holds
+            64 bytes for each.
         sun : Sun or sequence of float, optional
             A :class:`spherepacking.Sun`, or the direction (3,) towards one of radiance 1.
         seed : int, default: 0

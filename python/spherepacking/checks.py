@@ -38,6 +38,8 @@ FINEST_EXTENT = 1e-13
 """Length of a packing over its distance from the origin: double precision has 16 digits."""
 RADIANCE_LIMITS = Limits(0.0, 1e15)
 """Radiance of sky and sun: the variance squares it, in single precision."""
+LARGEST_SKY = 2**29
+"""Pixels of the image of a sky: more than 24576 x 12288, which is large for one."""
 EXPOSURE_LIMITS = Limits(-100.0, 100.0)
 """Exposure: 2 to this power is a number in single precision."""
 WEIGHT_LIMITS = Limits(0.0, 1e20)

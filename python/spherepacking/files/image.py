@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 import OpenImageIO as oiio
 
+from ..checks import half_of_memory
 from .replace import check_replaceable, replace_file
 
 if TYPE_CHECKING:
@@ -241,7 +242,36 @@ def read_image(path: str | os.PathLike[str]) -> np.ndarray:
     FileNotFoundError
         If there is no such file.
     OSError
-        If it cannot be read.
+        If it cannot be read, or takes more than half of the memory.
+    """
+    return read_small_image(path)
+
+
+def read_small_image(
+    path: str | os.PathLike[str], *, bytes_per_pixel: int = 0, most: int | None = None
+) -> np.ndarray:
+    """Read a picture, unless its header says that it is too large.
+
+    Parameters
+    ----------
+    path : str or os.PathLike
+        File to read.
+    bytes_per_pixel : int, default: 0
+        Memory that a pixel takes, if it is more than that of the picture itself.
+    most : int, optional
+        How many pixels it may have where memory sets no limit.
+
+    Returns
+    -------
+    numpy.ndarray
+        As of :func:`read_image`.
+
+    Raises
+    ------
+    FileNotFoundError
+        If there is no such file.
+    OSError
+        If it cannot be read, or is too large.
     """
     path = Path(path).expanduser()
     if not path.exists():
@@ -252,12 +282,42 @@ def read_image(path: str | os.PathLike[str]) -> np.ndarray:
     if source is None:
         raise OSError(f"{path}: the picture cannot be read: {oiio.geterror().strip()}")
     try:
-        pixels = source.read_image(source.spec().format)
+        spec = source.spec()
+        check_pixels(
+            f"{path}", spec.width, spec.height, max(spec.pixel_bytes(), bytes_per_pixel), most
+        )
+        pixels = source.read_image(spec.format)
         if pixels is None:
             raise OSError(f"{path}: the picture cannot be read: {source.geterror().strip()}")
     finally:
         source.close()
     return np.atleast_3d(pixels)
+
+
+def check_pixels(
+    name: str, width: int, height: int, bytes_per_pixel: int, most: int | None = None
+) -> None:
+    """Raise an OSError that starts with `name` if a picture is too large.
+
+    Parameters
+    ----------
+    name : str
+        What to call the picture.
+    width, height : int
+        Its pixels.
+    bytes_per_pixel : int
+        Memory that each takes.
+    most : int, optional
+        How many there may be where memory sets no limit.
+    """
+    room = half_of_memory() // bytes_per_pixel
+    if most is not None and width * height > most <= room:
+        raise OSError(f"{name}: found {width} x {height} pixels, expected at most {most} of them")
+    if width * height > room:
+        raise OSError(
+            f"{name}: found {width} x {height} pixels, which take more than half of the memory, "
+            f"expected at most {room} of them"
+        )
 
 
 def compare_images(first: np.ndarray, second: np.ndarray) -> ImageDifference:
