@@ -264,7 +264,8 @@ vtkIdType vtkSpherePackingTracer::Cast(
     {
       t = hit.T;
       double n[3];
-      spherepacking::NormalAt(ray, scene.Spheres[hit.Id], spherepacking::InverseSquare(ray), n);
+      spherepacking::NormalAt(
+        ray, scene.Spheres[hit.Id], spherepacking::InverseSquare(ray), hit.T, n);
       std::copy_n(n, 3, normal);
     }
   };

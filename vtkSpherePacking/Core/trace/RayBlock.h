@@ -114,7 +114,7 @@ private:
     const Double4 f[3] = { sphere.X - load(this->OX), sphere.Y - load(this->OY),
       sphere.Z - load(this->OZ) };
     const Double4 d[3] = { load(this->DX), load(this->DY), load(this->DZ) };
-    const Double4 t = HitSphere<Double4>(f, sphere.R, d, load(this->InverseSquare));
+    const Double4 t = HitSphere<Double4>(f, sphere, d, load(this->InverseSquare));
     const Double4 best = load(this->T);
     const Long4 bestKey = Load<Long4>(this->Key + first);
     const Long4 closer = (t < best) | ((t == best) & (key < bestKey));
