@@ -116,6 +116,30 @@ class PackingAccessor(BoxesOfPacking, GranularOfPacking, MetaballsOfPacking):
         with np.errstate(over="ignore"):
             return float(4.0 / 3.0 * np.pi * np.sum(np.asarray(self.radii, dtype=float) ** 3))
 
+    def modified(self) -> None:
+        """Say that numbers of the packing have been written to in a way that tells nobody.
+
+        What shows a packing for longer than a call keeps what it has made of it: :meth:`ray_cast`
+        and :meth:`pick` their structure, actors of a plotter and live pictures what they draw. They
+        show the packing as it was when its points or an array were last assigned, or written to by
+        ``packing["radius"][3] = 1`` or ``packing["radius"] *= 2``. NumPy tells nobody of other
+        writes: ``array *= 2``, ``array.sort()``, ``out=array``. After those call this method; until
+        then they show the whole packing as it was, and never a mixture. (Where all of an array has
+        changed, :meth:`ray_cast` and :meth:`pick` mostly find out; :meth:`path_trace` always does.)
+        Everything else, such as boxes, contacts and metaballs, takes the numbers that are there
+        when it is called.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> import spherepacking
+        >>> packing = spherepacking.apollonian(3)
+        >>> radii = np.asarray(packing["radius"])
+        >>> radii.flat[0] = 0.1
+        >>> packing.packing.modified()
+        """
+        self._spheres.modified()
+
     def with_radius(self, radius: RadiusLike | None = None) -> pv.PolyData:
         """Return the spheres as a PolyData with a point array ``radius``.
 
@@ -179,9 +203,8 @@ class PackingAccessor(BoxesOfPacking, GranularOfPacking, MetaballsOfPacking):
         Günther and Akenine-Möller, "Precision Improvements for Ray/Sphere Intersection", Ray
         Tracing Gems, 2019). The structure changes the speed alone, not a single bit of the picture,
         unless the camera is more than 1e9 times as far away as the packing is large. The accessor
-        reuses it for further pictures until points or radii are assigned, or written to through
-        ``packing.points`` and ``packing["radius"]``. Changes through other views of their memory
-        are not noticed.
+        reuses it for further pictures until points or radii are assigned or written to; see
+        :meth:`modified` for writes that nobody is told of.
 
         Parameters
         ----------

@@ -264,13 +264,22 @@ vtkIdType vtkSpherePackingTracer::Cast(
     {
       t = hit.T;
       double n[3];
-      spherepacking::NormalAt(
-        ray, scene.Spheres[hit.Id], spherepacking::InverseSquare(ray), hit.T, n);
+      // Not that of the arrays, which may have been written to since.
+      const spherepacking::Sphere& on = hit.On;
+      const double sphere[4] = { on.X, on.Y, on.Z, on.R };
+      std::copy_n(sphere, 4, this->CastSphere);
+      spherepacking::NormalAt(ray, on, spherepacking::InverseSquare(ray), hit.T, n);
       std::copy_n(n, 3, normal);
     }
   };
   RunGuarded(this, this->ErrorMessage, OutOfMemory, work);
   return id;
+}
+
+//------------------------------------------------------------------------------
+void vtkSpherePackingTracer::NoticeChanges()
+{
+  this->Prepared->NoticeChanges();
 }
 
 //------------------------------------------------------------------------------
@@ -289,5 +298,7 @@ void vtkSpherePackingTracer::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Color: " << this->Color[0] << " " << this->Color[1] << " " << this->Color[2]
      << "\n";
   os << indent << "RandomColors: " << (this->RandomColors ? "On" : "Off") << "\n";
+  os << indent << "CastSphere: " << this->CastSphere[0] << " " << this->CastSphere[1] << " "
+     << this->CastSphere[2] << " " << this->CastSphere[3] << "\n";
   os << indent << "ErrorMessage: " << this->ErrorMessage << "\n";
 }

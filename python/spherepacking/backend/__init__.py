@@ -62,6 +62,7 @@ if TYPE_CHECKING:
     # signatures alone.
     from vtkmodules.vtkCommonCore import (
         reference,
+        vtkAbstractArray,
         vtkDataArray,
         vtkOutputWindow,
         vtkUnsignedCharArray,
