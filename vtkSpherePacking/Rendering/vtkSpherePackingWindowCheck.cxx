@@ -5,9 +5,11 @@
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
+#include "vtkOutputWindow.h"
 #include "vtk_glad.h"
 
 #include <algorithm>
+#include <cctype>
 
 vtkStandardNewMacro(vtkSpherePackingWindowCheck);
 
@@ -15,6 +17,25 @@ namespace
 {
 // OpenGL keeps one error of each kind; the number only ends a loop where there is no context.
 constexpr int MaxErrors = 16;
+
+// What OpenGL reports, as a phrase; takes it.
+std::string ErrorOf(vtkOpenGLRenderWindow* window)
+{
+  std::string found;
+  if (window && window->GetInitialized())
+  {
+    window->MakeCurrent();
+    GLenum error = glGetError();
+    for (int i = 0; i < MaxErrors && error != GL_NO_ERROR; ++i)
+    {
+      found = error == GL_OUT_OF_MEMORY             ? "OpenGL has too little memory"
+        : error == GL_INVALID_FRAMEBUFFER_OPERATION ? "OpenGL has no such framebuffer"
+                                                    : found;
+      error = glGetError();
+    }
+  }
+  return found;
+}
 
 bool IsComplete(vtkOpenGLRenderWindow* window, vtkOpenGLFramebufferObject* framebuffer)
 {
@@ -48,34 +69,61 @@ int vtkSpherePackingWindowCheck::GetLargestSide(vtkRenderWindow* window)
 }
 
 //------------------------------------------------------------------------------
-std::string vtkSpherePackingWindowCheck::FindProblem(vtkRenderWindow* window)
+vtkSpherePackingWindowCheck::vtkSpherePackingWindowCheck() = default;
+
+//------------------------------------------------------------------------------
+vtkSpherePackingWindowCheck::~vtkSpherePackingWindowCheck()
 {
-  auto* opengl = vtkOpenGLRenderWindow::SafeDownCast(window);
-  if (!opengl || !opengl->GetInitialized())
+  this->StopListening();
+}
+
+//------------------------------------------------------------------------------
+void vtkSpherePackingWindowCheck::Begin(vtkRenderWindow* window)
+{
+  this->StopListening();
+  this->Window = window;
+  this->Logged.clear();
+  ErrorOf(vtkOpenGLRenderWindow::SafeDownCast(window));
+  this->Log = vtkOutputWindow::GetInstance();
+  this->Tag =
+    this->Log->AddObserver(vtkCommand::ErrorEvent, this, &vtkSpherePackingWindowCheck::Hear);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkSpherePackingWindowCheck::End()
+{
+  this->StopListening();
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(this->Window);
+  const std::string error = ErrorOf(window);
+  const bool complete = !window || !window->GetInitialized() ||
+    (IsComplete(window, window->GetRenderFramebuffer()) &&
+      IsComplete(window, window->GetDisplayFramebuffer()));
+  this->Window = nullptr;
+  return !error.empty() ? error
+    : complete          ? this->Logged
+                        : "OpenGL has no framebuffer of that size";
+}
+
+//------------------------------------------------------------------------------
+void vtkSpherePackingWindowCheck::Hear(vtkObject*, unsigned long, void* text)
+{
+  std::string lower = text ? static_cast<const char*>(text) : "";
+  std::transform(lower.begin(), lower.end(), lower.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const bool about =
+    lower.find("framebuffer") != lower.npos || lower.find("frame buffer") != lower.npos;
+  if (about && this->Logged.empty())
   {
-    return {};
+    this->Logged = "VTK has no framebuffer for a part of it";
   }
-  opengl->MakeCurrent();
-  for (int i = 0; i < MaxErrors; ++i)
+}
+
+//------------------------------------------------------------------------------
+void vtkSpherePackingWindowCheck::StopListening()
+{
+  if (this->Log)
   {
-    const GLenum error = glGetError();
-    if (error == GL_OUT_OF_MEMORY)
-    {
-      return "OpenGL has too little memory";
-    }
-    if (error == GL_INVALID_FRAMEBUFFER_OPERATION)
-    {
-      return "OpenGL has no such framebuffer";
-    }
-    if (error == GL_NO_ERROR)
-    {
-      break;
-    }
+    this->Log->RemoveObserver(this->Tag);
+    this->Log = nullptr;
   }
-  if (!IsComplete(opengl, opengl->GetRenderFramebuffer()) ||
-    !IsComplete(opengl, opengl->GetDisplayFramebuffer()))
-  {
-    return "OpenGL has no framebuffer of that size";
-  }
-  return {};
 }

@@ -10,10 +10,12 @@
 #define vtkSpherePackingWindowCheck_h
 
 #include "vtkObject.h"
+#include "vtkSmartPointer.h"                 // for the window
 #include "vtkSpherePackingRenderingModule.h" // for the export macro
 
 #include <string> // for the return value
 
+class vtkOutputWindow;
 class vtkRenderWindow;
 
 class VTKSPHEREPACKINGRENDERING_EXPORT vtkSpherePackingWindowCheck : public vtkObject
@@ -29,18 +31,31 @@ public:
   static int GetLargestSide(vtkRenderWindow* window);
 
   /**
-   * What is wrong with what the window has just drawn into, as a phrase; empty if nothing is.
-   * Takes the errors of OpenGL, so whoever calls it before drawing, too, learns of new ones only.
+   * Watch what is drawn from now on. Errors of OpenGL that are there already are taken away.
    */
-  static std::string FindProblem(vtkRenderWindow* window);
+  void Begin(vtkRenderWindow* window);
+
+  /**
+   * What went wrong since Begin(), as a phrase; empty if the window could draw. Looks at OpenGL's
+   * errors, whether the window's framebuffers are complete, and what VTK has logged about others.
+   */
+  std::string End();
 
 protected:
-  vtkSpherePackingWindowCheck() = default;
-  ~vtkSpherePackingWindowCheck() override = default;
+  vtkSpherePackingWindowCheck();
+  ~vtkSpherePackingWindowCheck() override;
 
 private:
   vtkSpherePackingWindowCheck(const vtkSpherePackingWindowCheck&) = delete;
   void operator=(const vtkSpherePackingWindowCheck&) = delete;
+
+  void Hear(vtkObject* caller, unsigned long event, void* text);
+  void StopListening();
+
+  vtkSmartPointer<vtkRenderWindow> Window;
+  vtkSmartPointer<vtkOutputWindow> Log;
+  unsigned long Tag = 0;
+  std::string Logged;
 };
 
 #endif

@@ -64,7 +64,6 @@ if TYPE_CHECKING:
         reference,
         vtkAbstractArray,
         vtkDataArray,
-        vtkOutputWindow,
         vtkUnsignedCharArray,
     )
     from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData
@@ -119,7 +118,6 @@ else:
     # How a number comes back from a C++ reference.
     _common_core = importlib.import_module(f"{VTK_ROOT}.vtkCommonCore")
     reference = _common_core.reference
-    vtkOutputWindow = _common_core.vtkOutputWindow
     vtkUnsignedCharArray = _common_core.vtkUnsignedCharArray
     vtkDataObject = importlib.import_module(f"{VTK_ROOT}.vtkCommonDataModel").vtkDataObject
     vtkStreamingDemandDrivenPipeline = importlib.import_module(

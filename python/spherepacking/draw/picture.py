@@ -30,18 +30,6 @@ the square root of 5 times as many pixels along each side, and times this tile a
 _SUPERSAMPLING = 5.0**0.5
 
 
-class _WindowErrors:
-    """Collects what VTK reports, by whichever of its objects."""
-
-    CallDataType = "string0"
-
-    def __init__(self) -> None:
-        self.messages: list[str] = []
-
-    def __call__(self, _caller: object, _event: str, text: str) -> None:
-        self.messages.append(text)
-
-
 @contextmanager
 def drawing_checked(window: vtkRenderWindow) -> Iterator[None]:
     """Raise a RuntimeError after the block if the window could not draw what it was asked for.
@@ -60,22 +48,17 @@ def drawing_checked(window: vtkRenderWindow) -> Iterator[None]:
     ...     plotter.render()
     >>> plotter.close()
     """
-    from ..backend import vtkOutputWindow, vtkSpherePackingWindowCheck
+    from ..backend import vtkSpherePackingWindowCheck
 
-    vtkSpherePackingWindowCheck.FindProblem(window)  # takes earlier errors
-    log, errors = vtkOutputWindow.GetInstance(), _WindowErrors()
-    tag = log.AddObserver("ErrorEvent", errors)
+    # In C++: VTK ends the process when Ctrl-C comes while an observer in Python runs.
+    check = vtkSpherePackingWindowCheck()
+    check.Begin(window)
     try:
         yield
     finally:
-        log.RemoveObserver(tag)
-    problem = vtkSpherePackingWindowCheck.FindProblem(window)
-    framebuffer = [text for text in errors.messages if "rame" in text and "buffer" in text]
-    if problem or framebuffer:
-        raise RuntimeError(
-            "the picture cannot be drawn: "
-            + (problem or f"VTK reports {framebuffer[0].strip().splitlines()[-1]}")
-        )
+        problem = check.End()
+    if problem:
+        raise RuntimeError(f"the picture cannot be drawn: {problem}")
 
 
 def check_drawn_size(name: str, size: tuple[int, int], channels: int, *, whole: bool) -> None:
@@ -165,7 +148,7 @@ def strips(
         else:
             yield from _in_tiles(plotter, size, transparent, scale, *_tile_and_step(window))
     finally:
-        window.SetSize(before)
+        window.SetSize(*before)
 
 
 def _piece(window: vtkRenderWindow) -> int:
@@ -267,7 +250,7 @@ def _pixels_of(window: vtkRenderWindow, size: Sequence[int], transparent: bool) 
     width, height = size
     # The front buffer, which has been resolved as PyVista's pictures are.
     if transparent:
-        window.GetRGBACharPixelData(0, 0, width - 1, height - 1, 1, values)
+        window.GetRGBACharPixelData(0, 0, width - 1, height - 1, 1, values, 0)
     else:
-        window.GetPixelData(0, 0, width - 1, height - 1, 1, values)
+        window.GetPixelData(0, 0, width - 1, height - 1, 1, values, 0)
     return pv.convert_array(values).reshape(height, width, -1)
