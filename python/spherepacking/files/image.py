@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import mmap
 import os
+from itertools import chain
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, NamedTuple
@@ -177,8 +178,12 @@ def _write_whole(
             raise OSError(f"{path}: the picture cannot be written ({error.strerror})") from error
         name = Path(folder, f"picture{path.suffix}")
         name.symlink_to(f"/proc/self/fd/{memory.fileno()}")
+        # Encoders complain on their own about what they were opened for and did not get, so the
+        # first strip, where most of what is wrong is found, comes before.
+        rest = iter(strips)
+        first = next(rest)
         try:
-            written = output.open(str(name), spec) and _write_rows(output, strips)
+            written = output.open(str(name), spec) and _write_rows(output, chain([first], rest))
         finally:
             # Closing flushes, so it is part of writing and may fail as well.
             closed = output.close()
