@@ -457,7 +457,7 @@ class TestRadiusOptional:
 )
 def test_time_is_linear_in_the_columns(read_text, make):
     def seconds(count):
-        text = make(count)
+        text = make(count) + "\n"
         start = time.perf_counter()
         packing = read_text(text)
         assert packing.n_arrays >= count

@@ -240,14 +240,14 @@ PackingArrays ParseXyz(
   while (!HasHead(blocks.Text()) && blocks.Grow())
   {
   }
-  // People write plain files of one frame, too, and may leave out the last line end.
-  bool mustEndLines = step.Begin > 0;
+  // People write plain files of one frame, too.
+  LineEnds ends = step.Begin > 0 ? LineEnds::ByProgram : LineEnds::ByPeople;
   TableLayout layout;
   std::optional<SimulationCell> cell;
   const FrameHead head = blocks.AddLines(
     [&]
     {
-      if (mustEndLines && blocks.IsLast())
+      if (ends == LineEnds::ByProgram && blocks.IsLast())
       {
         CheckNotCut(blocks.Text());
       }
@@ -257,7 +257,7 @@ PackingArrays ParseXyz(
         layout = ReadLayout(found, options);
         const XyzComment comment(found.Lines.Line());
         cell = comment.Cell();
-        mustEndLines = mustEndLines || comment.Properties();
+        ends = comment.Properties() ? LineEnds::ByProgram : ends;
       }
       catch (const ContentError& error)
       {
@@ -266,7 +266,7 @@ PackingArrays ParseXyz(
       return found;
     });
   StepRows rows{ head.Lines.Rest().Begin, head.Count, head.CountLine, "atoms" };
-  rows.MustEndLines = mustEndLines;
+  rows.Ends = ends;
   PackingArrays arrays = ReadStepRows(blocks, rows, layout, options, progress);
   if (cell)
   {

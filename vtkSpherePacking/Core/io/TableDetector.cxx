@@ -133,7 +133,7 @@ private:
     }
     MarkTextColumns(this->Layout, row.Begin);
     this->Layout.Cell = this->Head.Cell;
-    this->Layout.EndsLines = this->Head.EndsLines;
+    this->Layout.Ends = this->FormatIs == Format::Xyzr ? LineEnds::ByProgram : this->Head.Ends;
   }
 
   // Excel's first line "sep=;" says what separates fields, which the header shows, too.
