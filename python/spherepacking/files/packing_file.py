@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from contextlib import nullcontext
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -108,9 +107,9 @@ class _PlainFile:
             reader.set_active_time_point(index)
         # What was read before belongs to whoever asked for it.
         reader.reader.Modified()
-        bar = progress_bar(reader.reader, f"Reading {self._shown.name}", _BAR_DELAY)
+        delay = _BAR_DELAY if self._request.progress else None
         try:
-            with bar if self._request.progress else nullcontext():
+            with progress_bar(reader.reader, f"Reading {self._shown.name}", delay):
                 packing = reader.read()
         except PackingFileError as error:
             sentence = what_else(self._path)

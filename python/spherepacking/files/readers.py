@@ -85,8 +85,10 @@ class SpherePackingReader(pv.BaseReader, pv.TimeReader):  # type: ignore[type-ar
         VTK asks for times that increase. Where those of the file do not, as after a restart, or
         where a step has none, these are 0, 1, 2 and so on; `spherepacking.steps` has the file's.
         """
-        # What is wrong with the file is raised when it is read.
-        with ErrorLog(self.reader):
+        # What is wrong with the file is raised when it is read. VTK forgets a request to stop when
+        # it reads, and not when it looks for steps.
+        self.reader.SetAbortExecute(0)
+        with ErrorLog(self.reader), progress_bar(self.reader, "", None):
             self.reader.UpdateInformation()
         key = self.reader.GetExecutive().TIME_STEPS()
         return list(self.reader.GetOutputInformation(0).Get(key) or ())

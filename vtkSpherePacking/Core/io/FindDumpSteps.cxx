@@ -7,6 +7,8 @@
 #include "io/TextLines.h"
 #include "io/TimeSteps.h"
 
+#include "vtkSMPTools.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -42,7 +44,6 @@ struct FoundTitle
   bool BeforeStep = false; // ITEM: TIMESTEP follows the number
   std::optional<double> Time;
   bool IsCut = false; // the file ends before the line of the number does, or of another title
-  std::string Found;  // instead of the number, or the title
 };
 
 TitleKind KindOf(std::string_view line)
@@ -76,10 +77,6 @@ void ReadTime(const char* titleEnd, const char* end, bool isFileEnd, FoundTitle&
     const char* const next = SkipLineEnd(lineEnd, end);
     title.BeforeStep = std::string_view(next, end - next).substr(0, StepTitle.size()) == StepTitle;
   }
-  else
-  {
-    title.Found = Quote(number, lineEnd);
-  }
 }
 
 // What the title at `p` says; the file goes on to `end` at least.
@@ -99,7 +96,6 @@ FoundTitle ReadTitle(const char* p, const char* end, unsigned long long at, bool
   else
   {
     title.IsCut = isFileEnd && lineEnd == end;
-    title.Found = Quote(p, lineEnd);
   }
   return title;
 }
@@ -123,7 +119,8 @@ std::vector<FoundTitle> ScanBlock(
 }
 
 // In parallel, since a thread by itself takes as long to search a dump as to have it from the disk.
-std::vector<std::vector<FoundTitle>> ScanFile(const std::string& file, unsigned long long size)
+std::vector<std::vector<FoundTitle>> ScanFile(
+  const std::string& file, unsigned long long size, Progress& progress)
 {
   std::vector<std::vector<FoundTitle>> blocks((size + BlockSize - 1) / BlockSize);
   constexpr std::int64_t batch = 16; // blocks for which the file is opened once
@@ -144,7 +141,14 @@ std::vector<std::vector<FoundTitle>> ScanFile(const std::string& file, unsigned 
       blocks[i] = ScanBlock(begin, begin + length, begin + all, offset, offset + all == size);
     }
   };
-  SmpParallelFor()((static_cast<std::int64_t>(blocks.size()) + batch - 1) / batch, scan);
+  const std::int64_t count = (static_cast<std::int64_t>(blocks.size()) + batch - 1) / batch;
+  const std::int64_t atATime = 2 * std::max(1, vtkSMPTools::GetEstimatedNumberOfThreads());
+  for (std::int64_t first = 0; first < count; first += atATime)
+  {
+    const std::int64_t last = std::min(count, first + atATime);
+    SmpParallelFor()(last - first, [&](std::int64_t i) { scan(first + i); });
+    progress.Report(static_cast<double>(last) / static_cast<double>(count));
+  }
   return blocks;
 }
 
@@ -253,13 +257,26 @@ private:
   [[noreturn]] void RefuseStray(const FoundTitle& title) const
   {
     throw LineError(LineBlocks(this->File, 0, this->Size).LinesBefore(title.At) + 1,
-      "found " + title.Found + " where a step begins, expected ITEM: TIMESTEP");
+      "found " + this->QuoteLine(title.At) + " where a step begins, expected ITEM: TIMESTEP");
+  }
+
+  // The line at `offset` of the file, or the one after it, without blanks before it.
+  std::string QuoteLine(unsigned long long offset, bool next = false) const
+  {
+    std::vector<char> bytes(std::min<unsigned long long>(2 * Overlap, this->Size - offset));
+    FileRanges(this->File).Read(offset, bytes.data(), bytes.size());
+    const char* const end = bytes.data() + bytes.size();
+    LineFinder find(end);
+    const char* const begin = next ? SkipLineEnd(find(bytes.data()), end) : bytes.data();
+    const char* const first = SkipBlanks(begin, end);
+    return Quote(first, find(first));
   }
 
   [[noreturn]] void Refuse(const FoundTitle& title, const std::string& expected) const
   {
     throw LineError(LineBlocks(this->File, 0, this->Size).LinesBefore(title.At) + 2,
-      "found " + (title.IsCut ? "the end of the file" : title.Found) + ", expected " + expected);
+      "found " + (title.IsCut ? "the end of the file" : this->QuoteLine(title.At, true)) +
+        ", expected " + expected);
   }
 
   const std::string& File;
@@ -291,9 +308,9 @@ std::vector<TimeStep> JoinBlocks(const std::vector<std::vector<FoundTitle>>& blo
 }
 
 //------------------------------------------------------------------------------
-std::vector<TimeStep> FindDumpSteps(const std::string& file)
+std::vector<TimeStep> FindDumpSteps(const std::string& file, Progress& progress)
 {
   const unsigned long long size = FileBytes::Size(file);
-  return WithFileName(file, [&] { return JoinBlocks(ScanFile(file, size), file, size); });
+  return WithFileName(file, [&] { return JoinBlocks(ScanFile(file, size, progress), file, size); });
 }
 }
