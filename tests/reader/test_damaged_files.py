@@ -1,7 +1,20 @@
 """Files of which any one byte is another: no sphere and no step goes without a word."""
 
 import pytest
-from whole_files import ATOM, ATOMS, DOCK, DUMP, GEO, HOLE, LAMMPS, LATER, MDPA, TREE, WHOLE
+from whole_files import (
+    ATOM,
+    ATOMS,
+    DOCK,
+    DUMP,
+    GEO,
+    HOLE,
+    LAMMPS,
+    LATER,
+    MDPA,
+    TREE,
+    VELOCITIES,
+    WHOLE,
+)
 
 # Where # begins a comment, the row behind it is one.
 WITH_COMMENTS = {
@@ -86,6 +99,7 @@ BAD = {
     "DOCK": ("p.sph", DOCK.replace("cluster ", "cluxter ", 1), 4, "'7   1.25000"),
     "HOLE": ("p.sph", HOLE.replace("ATOM", "ATxM", 1), 1, "'ATxM"),
     "HOLE, two rows": ("p.sph", HOLE.replace("\n", " ", 1), 1, "QSS SPH S   0"),
+    "LAMMPS": ("p.data", LAMMPS + VELOCITIES.replace("Velo", "Vela"), 14, "'Velacities'"),
     "Kratos, RADIUS": (
         "p.mdpa",
         MDPA.replace("RADIUS", "RADIUZ", 1),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/FileBytes.h"
 #include "io/LineScanner.h"
+#include "io/Misspelt.h"
 #include "io/PackingFileError.h"
 #include "io/PrintableText.h"
 #include "io/PackingFormats.h"
@@ -15,17 +16,6 @@ namespace spherepacking
 {
 namespace
 {
-// Whether two words are of the same length and have all letters but one in common.
-bool DifferInOneLetter(std::string_view a, std::string_view b)
-{
-  int differing = 0;
-  for (std::size_t i = 0; a.size() == b.size() && i < a.size(); ++i)
-  {
-    differing += a[i] != b[i];
-  }
-  return differing == 1;
-}
-
 struct Node
 {
   std::string_view Center[3];
@@ -117,7 +107,7 @@ private:
       "Elements", "Conditions", "Constraints", "MasterSlaveConstraints", "NodalData",
       "ElementalData", "ConditionalData", "SubModelPart", "Mesh" };
     if (std::find(std::begin(names), std::end(names), fields[1]) == std::end(names) ||
-      (fields[1] == "NodalData" && (fields.size() != 3 || DifferInOneLetter(fields[2], "RADIUS"))))
+      (fields[1] == "NodalData" && (fields.size() != 3 || IsMisspelt(fields[2], "RADIUS"))))
     {
       this->Scanner.Refuse("Begin and the name of a block of Kratos, such as Begin Nodes or Begin "
                            "NodalData RADIUS");
