@@ -304,7 +304,8 @@ BAD = {
     "coordinate": (PDB.replace(" 7.125", " 7.x25"), 3, "7.x25", "columns 31 to 54"),
     "nan": (PDB.replace(" 7.125", "   nan"), 3, "nan", "columns 31 to 54"),
     "blank": (PDB.replace(" 7.625", "      "), 4, "CA", "columns 31 to 54"),
-    "cut": (PDB[: PDB.index("  7.625") + 4], 4, "CA", "columns 31 to 54"),
+    "short": (PDB[: PDB.index("  7.625") + 4] + "\n", 4, "CA", "columns 31 to 54"),
+    "cut": (PDB[: PDB.index(" 12.25")], 3, "the end of the file within", "add one if the file is"),
     "misspelt": (PDB.replace("HETATM", "HETAMT"), 5, "HETAMT", "ATOM, HETATM"),
     "hole": (
         "ATOM      1  QSS SPH S   0       1.250  -2.500   3.750  1.40  1.40\n",
@@ -315,7 +316,8 @@ BAD = {
 BAD_CIF = {
     "cif, empty": ("", None, "no atoms", "_atom_site"),
     "cif, prose": ("hello\n", 1, "no text of that format", "an mmCIF file"),
-    "cif, cut": (CIF[:-3], None, "no text of that format", "an mmCIF file"),
+    "cif, cut": (CIF[:-3], CIF.count("\n"), "the end of the file within", "a line end after every"),
+    "cif, short": (CIF[:-3] + "\n", None, "no text of that format", "an mmCIF file"),
     "cif, no atoms": ("data_x\n_cell.length_a 10\n", None, "no atoms", "_atom_site"),
     "cif, coordinate": (CIF.replace(" 2.5 ", " x "), None, "nan", "finite numbers"),
     "cif, unknown": (CIF.replace(" 2.5 ", " ? "), None, "nan", "finite numbers"),
@@ -333,6 +335,21 @@ def test_bad_files(write, case):
     assert message.startswith(str(path) + (f", line {line}: " if line else ""))
     before, _, after = message.partition(", expected ")
     assert found in before and expected in after
+
+
+@needs_gemmi
+@pytest.mark.parametrize(("name", "text"), [("p.pdb", PDB), ("p.cif", CIF)])
+def test_a_file_cut_at_every_byte(write, name, text):
+    """Nothing tells that whole lines are missing; of END and TER the line need not end."""
+    whole = MoleculeFile(write(text, name)).read().points.tolist()
+    for length in range(1, len(text)):
+        path = write(text[:length], name)
+        try:
+            points = MoleculeFile(path).read().points.tolist()
+        except PackingFileError:
+            continue
+        last = text[:length].rpartition("\n")[2]
+        assert points == whole[: len(points)] and last in ("", "E", "EN", "END"), last
 
 
 @needs_gemmi

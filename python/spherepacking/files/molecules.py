@@ -15,7 +15,7 @@ import pyvista as pv
 
 from .errors import PackingFileError
 from .flat_atoms import DEUTERIUM, element_number, flat_atoms
-from .pdb_lines import check_pdb_lines
+from .pdb_lines import check_not_cut, check_pdb_lines
 
 if TYPE_CHECKING:
     import os
@@ -101,6 +101,7 @@ class MoleculeFile:
     def _read_cif(self, data: bytes) -> None:
         """Read the first block that holds atoms."""
         gemmi = _gemmi()
+        check_not_cut(self._path, data, (b"#",))
         with _Refused(self._path, "an mmCIF file"):
             for block in gemmi.cif.read_string(data):
                 structure = gemmi.make_structure_from_block(block)
