@@ -22,6 +22,7 @@ def refused(read_error, tmp_path):
     return read
 
 
+HINT = 'columns="id x y z r" (--columns)'
 FOUR = "1.5 2.5 3.5 0.5\n4 5 6.5 0.25\n"
 FIVE = "1.5 2.5 3.5 0.5 7.25\n4 5 6.5 0.25 9\n"
 BY_PLACE = [[1.5, 2.5, 3.5, 0.5], [4, 5, 6.5, 0.25]]
@@ -112,7 +113,7 @@ def test_names_with_a_diameter_over_five_columns(read_text, names):
 def test_lists_of_other_names_over_four_columns(refused, names):
     message = refused(f"# made by hand\n# {names}\n# of today\n{FOUR}")
     assert message.startswith(", line 2: found ")
-    assert 'columns="id x y z r"' in message
+    assert 'columns="x y z r"' in message
 
 
 @pytest.mark.parametrize(
@@ -234,7 +235,8 @@ def test_what_may_be_an_index_without_a_name(refused, second, name):
     text = f"x,y,z,r\n1,1.5,2.5,3.5,0.5\n{second},4,5,6.5,0.25\n"
     message = refused(text, name)
     assert ("an index without a name" in message) == (second == "2")
-    assert message.startswith(", line 1: found" if second == "2" else ", line 2: found 5 columns")
+    assert message.startswith(", line 1: found the 4 names 'x,y,z,r' over rows of 5 columns")
+    assert HINT in message
 
 
 @pytest.mark.parametrize("name", ["radius_{}", "Radius:{}", "diameter_{}"])

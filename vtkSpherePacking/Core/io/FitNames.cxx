@@ -6,6 +6,7 @@
 #include "io/PackingFileError.h"
 #include "io/SplitNames.h"
 #include "io/TableLayout.h"
+#include "io/UsualForms.h"
 
 #include <algorithm>
 #include <array>
@@ -187,9 +188,19 @@ Names JoinTwoWords(const Names& names)
   return joined;
 }
 
+// Without the rules of tables and slashes that stand between names.
+Names WithoutRules(Names words)
+{
+  const auto isRule = [](std::string_view word)
+  { return word.find_first_not_of("|/:") == std::string_view::npos; };
+  words.erase(std::remove_if(words.begin(), words.end(), isRule), words.end());
+  return words;
+}
+
 Names SplitWords(std::string_view line)
 {
-  return SplitNames(WithoutLabelWord(WithoutLabel(WithoutSigns(line))), Between::Anything);
+  return WithoutRules(
+    SplitNames(WithoutLabelWord(WithoutLabel(WithoutSigns(line))), Between::Anything));
 }
 
 /// Collects the readings of one line.
@@ -218,7 +229,7 @@ public:
   // names, too.
   void TryWords(const Names& words)
   {
-    const Names joined = JoinTwoWords(words);
+    const Names joined = JoinTwoWords(WithoutRules(words));
     this->Try(joined);
     if (const Names names = WithoutUnits(joined); names.size() != joined.size())
     {
@@ -277,10 +288,7 @@ private:
   bool Differ = false;
   std::string Complaint;
 };
-}
 
-namespace
-{
 // Names among which one stands for all coordinates.
 NamesFit FitPosition(std::string_view line, std::size_t count, Radii radii)
 {
@@ -289,14 +297,60 @@ NamesFit FitPosition(std::string_view line, std::size_t count, Radii radii)
   {
     return {};
   }
+  std::string names; // in one text, in which words can be joined
+  for (const std::string& name : spelled.Names)
+  {
+    names += name + ' ';
+  }
   Readings readings(count, radii);
-  readings.TryWords(Names(spelled.Names.begin(), spelled.Names.end()));
+  readings.TryWords(SplitNames(names, Between::Anything));
   if (spelled.IsClear && readings.Fit())
   {
     return readings.Result();
   }
   NamesFit fit;
   fit.What = spelled.RadiusFollows ? NamesFit::NoNames : NamesFit::Unclear;
+  return fit;
+}
+
+// Names in the usual forms of lists.
+NamesFit FitUsual(std::string_view line, std::size_t count, Radii radii)
+{
+  line = WithoutLabel(WithoutSigns(line));
+  std::vector<std::string_view> lines{ line };
+  if (const std::string_view rest = WithoutLabelWord(line); rest != line)
+  {
+    lines.push_back(rest);
+  }
+  // Commas, tabs and wide gaps say more than single blanks, which may be within names.
+  Readings readings(count, radii);
+  for (const std::string_view names : lines)
+  {
+    for (const Between between : { Between::Commas, Between::Tabs, Between::WideGaps })
+    {
+      readings.Try(SplitNames(names, between));
+    }
+  }
+  if (!readings.Fit())
+  {
+    for (const std::string_view names : lines)
+    {
+      readings.TryWords(SplitNames(names, Between::Anything));
+    }
+  }
+  NamesFit fit = readings.Result();
+  if (fit.What == NamesFit::NoNames)
+  {
+    fit = FitPosition(line, count, radii);
+  }
+  std::string complaint;
+  if (fit.What == NamesFit::NoNames &&
+    (ColumnsFromNames(NameWords(line), complaint) ||
+      NamesSomeOfSphere(WithoutUnits(SplitWords(line)), count)))
+  {
+    fit.What = NamesFit::Unclear;
+    fit.Complaint = complaint;
+  }
   return fit;
 }
 }
@@ -340,26 +394,37 @@ bool NamesSomeOfSphere(const std::vector<std::string_view>& words, std::size_t c
 //------------------------------------------------------------------------------
 bool NamesOtherColumns(std::string_view line, std::size_t count)
 {
-  return ListOtherColumns(NameWords(line), count) || ListOtherColumns(SplitWords(line), count);
+  const auto lists = [count](std::string_view text)
+  { return ListOtherColumns(NameWords(text), count) || ListOtherColumns(SplitWords(text), count); };
+  const std::vector<std::string> forms = UsualForms(line, count);
+  return lists(line) || std::any_of(forms.begin(), forms.end(), lists);
 }
 
 //------------------------------------------------------------------------------
 bool HasTwoUnits(std::string_view line)
 {
-  std::set<std::string> lengths;
+  std::set<std::string> units;
+  bool known = false;
   for (std::size_t at = line.find_first_of("(["); at != line.npos;)
   {
     const std::size_t end = BracketEnd(line, at);
     const std::string_view before = Trim(line.substr(0, at));
     const std::size_t word = before.find_last_of(" \t,;:)]");
-    if (IsOfSphere(MeaningOfName(before.substr(word == before.npos ? 0 : word + 1))))
+    const std::string_view name = before.substr(word == before.npos ? 0 : word + 1);
+    const std::string_view text = Trim(line.substr(at + 1, end > at ? end - at - 1 : 0));
+    const std::string unit = UnitInBracket(text);
+    const Names words = SplitNames(text, Between::Anything);
+    const bool names = std::any_of(words.begin(), words.end(),
+      [](auto each) { return IsOfSphere(MeaningOfName(each)) || IsNumber(each); });
+    if ((IsOfSphere(MeaningOfName(name)) || IsPosition(name)) && !words.empty() &&
+      (!unit.empty() || !names))
     {
-      lengths.insert(LengthUnit(Trim(line.substr(at + 1, end > at ? end - at - 1 : 0))));
+      units.insert(unit.empty() ? "?" + std::string(text) : unit);
+      known |= !unit.empty();
     }
     at = end > at ? line.find_first_of("([", end) : line.npos;
   }
-  lengths.erase("");
-  return lengths.size() > 1;
+  return known && units.size() > 1;
 }
 
 //------------------------------------------------------------------------------
@@ -379,46 +444,28 @@ std::vector<std::string_view> WithoutNumbers(const std::vector<std::string_view>
 //------------------------------------------------------------------------------
 NamesFit FitNames(std::string_view line, std::size_t count, Radii radii)
 {
-  line = WithoutLabel(WithoutSigns(line));
-  std::vector<std::string_view> lines{ line };
-  if (const std::string_view rest = WithoutLabelWord(line); rest != line)
+  NamesFit fit = FitUsual(line, count, radii);
+  if (fit.What != NamesFit::Fits)
   {
-    lines.push_back(rest);
-  }
-  // Commas, tabs and wide gaps say more than single blanks, which may be within names.
-  Readings readings(count, radii);
-  for (const std::string_view names : lines)
-  {
-    for (const Between between : { Between::Commas, Between::Tabs, Between::WideGaps })
+    for (const std::string& form : UsualForms(line, count))
     {
-      readings.Try(SplitNames(names, between));
+      NamesFit other = FitUsual(form, count, radii);
+      if (other.What == NamesFit::Fits ||
+        (other.What == NamesFit::Unclear && fit.Complaint.empty()))
+      {
+        fit = std::move(other);
+      }
+      if (fit.What == NamesFit::Fits)
+      {
+        break;
+      }
     }
   }
-  if (!readings.Fit())
-  {
-    for (const std::string_view names : lines)
-    {
-      readings.TryWords(SplitNames(names, Between::Anything));
-    }
-  }
-  NamesFit fit = readings.Result();
-  if (fit.What == NamesFit::Fits && HasTwoUnits(line))
+  if (fit.What != NamesFit::NoNames && fit.Complaint.empty() && HasTwoUnits(line))
   {
     return { NamesFit::Unclear, {},
       "found several units of length in " + Quote(line.data(), line.data() + line.size()) +
         ", expected one for coordinates and radii" };
-  }
-  if (fit.What == NamesFit::NoNames)
-  {
-    fit = FitPosition(line, count, radii);
-  }
-  std::string complaint;
-  if (fit.What == NamesFit::NoNames &&
-    (ColumnsFromNames(NameWords(line), complaint) ||
-      NamesSomeOfSphere(WithoutUnits(SplitWords(line)), count)))
-  {
-    fit.What = NamesFit::Unclear;
-    fit.Complaint = complaint;
   }
   return fit;
 }
