@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/ColumnNames.h"
 
+#include "io/DiameterWords.h"
 #include "io/NameMeaning.h"
 #include "io/PackingFileError.h"
 #include "io/PrintableText.h"
@@ -228,6 +229,11 @@ private:
     }
     this->SetRole(found, role);
     this->CheckUnit(found[0]);
+    if (role == ColumnRole::Radius && SpeaksOfDiameter(this->Meanings[found[0]].Unknown))
+    {
+      this->Complain("found a radius and a diameter in " + QuoteName(this->Names[found[0]]) +
+        ", expected one name for each column");
+    }
     return true;
   }
 

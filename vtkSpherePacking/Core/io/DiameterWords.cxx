@@ -34,9 +34,36 @@ bool IsDigit(char c)
   return c >= '0' && c <= '9';
 }
 
-bool IsOfWord(char c)
+// Where the character at `p` ends if it is punctuation or a sign beyond ASCII, else `p`. The sign
+// for diameters and the apostrophe of typesetters are parts of words.
+std::size_t SignEnd(std::string_view text, std::size_t p)
 {
-  return IsUpper(c) || IsDigit(c) || (c >= 'a' && c <= 'z') || c == '\'' || c < 0;
+  const auto byte = [&](std::size_t i)
+  { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
+  const std::string_view three = text.substr(p, 3);
+  if (three == "\xE2\x8C\x80" || three == "\xE2\x80\x99")
+  {
+    return p;
+  }
+  const unsigned first = byte(p);
+  const unsigned second = byte(p + 1);
+  const bool ofTwo = (first == 0xC2 && second >= 0xA0 && second != 0xB5) ||
+    (first == 0xC3 && (second == 0x97 || second == 0xB7));
+  const bool ofThree = (first == 0xE2 && second >= 0x80 && second <= 0xAF) ||
+    (first == 0xE3 && second == 0x80) || (first == 0xEF && second == 0xBC && byte(p + 2) <= 0x8F);
+  return std::min(p + (ofTwo ? 2 : ofThree ? 3 : 0), text.size());
+}
+
+// Where a word that begins at `p` ends.
+std::size_t WordEnd(std::string_view text, std::size_t p)
+{
+  const auto isOfWord = [&](char c)
+  { return IsUpper(c) || IsDigit(c) || (c >= 'a' && c <= 'z') || c == '\'' || c < 0; };
+  while (p < text.size() && isOfWord(text[p]) && SignEnd(text, p) == p)
+  {
+    ++p;
+  }
+  return p;
 }
 
 std::vector<Word> SplitWords(std::string_view text)
@@ -44,20 +71,16 @@ std::vector<Word> SplitWords(std::string_view text)
   std::vector<Word> words;
   for (std::size_t p = 0; p < text.size();)
   {
-    const std::size_t begin = p;
-    while (p < text.size() && IsOfWord(text[p]) && text.substr(p, 2) != NoBreakSpace)
+    Word word{ p, WordEnd(text, p), {} };
+    if (word.End == p)
     {
-      ++p;
-    }
-    if (p == begin)
-    {
-      p += text.substr(p, 2) == NoBreakSpace ? 2 : 1;
+      p = std::max(SignEnd(text, p), p + 1);
       continue;
     }
-    Word word{ begin, p, {} };
-    if (text[begin] == '\'') // a quote
+    p = word.End;
+    if (text[word.Begin] == '\'') // a quote
     {
-      word.Begin = std::min(text.find_first_not_of('\'', begin), p);
+      word.Begin = std::min(text.find_first_not_of('\'', word.Begin), word.End);
       while (word.End > word.Begin && text[word.End - 1] == '\'')
       {
         --word.End;
@@ -111,13 +134,17 @@ bool HasAccentedDiametr(std::string_view word)
 
 bool IsForDiameters(std::string_view word)
 {
-  static const std::vector<std::string_view> parts{ "durchm",
+  static const std::vector<std::string_view> parts{ "durchm", "doorsned", "middellijn",
     "\xD0\xB8\xD0\xB0\xD0\xBC\xD0\xB5\xD1\x82\xD1\x80", // Russian
-    "\xD0\x98\xD0\x90\xD0\x9C\xD0\x95\xD0\xA2\xD0\xA0",
-    "\xE7\x9B\xB4\xE5\xBE\x84",                   // Chinese
-    "\xE7\x9B\xB4\xE5\xBE\x91", "\xE2\x8C\x80" }; // the sign for diameters
-  static const Words whole{ "dia", "dias", "2r", "2\xC2\xB7r", "xyzd", "dxyz", "\xC3\x98",
-    "\xC3\xB8" };
+    "\xD0\x98\xD0\x90\xD0\x9C\xD0\x95\xD0\xA2\xD0\xA0", "\xE7\x9B\xB4\xE5\xBE\x84",
+    "\xE7\x9B\xB4\xE5\xBE\x91",                             // Chinese
+    "\xEC\xA7\x81\xEA\xB2\xBD", "\xEC\xA7\x80\xEB\xA6\x84", // Korean
+    "rednic", "r\xC5\xAFm\xC4\x9Br", "\xE2\x8C\x80" };      // Polish, Czech, the sign
+  static const Words whole{ "dia", "dias", "2r", "xyzd", "dxyz", "\xC3\x98", "\xC3\xB8",
+    "\xC3\xA7"
+    "ap",
+    "\xC3\x87"
+    "ap" };
   return HasDiam(word) || HasAccentedDiametr(word) || whole.count(word) > 0 ||
     std::any_of(parts.begin(), parts.end(),
       [word](std::string_view part) { return word.find(part) != word.npos; });
@@ -147,8 +174,9 @@ bool IsTwiceRadius(std::string_view text, const std::vector<Word>& words)
     if (words[i].Lower == "2" && i + 1 < words.size() && IsForRadii(words[i + 1].Lower))
     {
       const std::string_view gap = text.substr(words[i].End, words[i + 1].Begin - words[i].End);
-      const bool times = gap.find_first_not_of(" *") == gap.npos;
-      if (times && (gap.find('*') != gap.npos || (i > 0 && IsOfColumns(words[i - 1].Lower))))
+      const bool times = gap.find_first_not_of(" *\xC2\xB7\xC3\x97") == gap.npos;
+      if (times &&
+        (gap.find_first_not_of(' ') != gap.npos || (i > 0 && IsOfColumns(words[i - 1].Lower))))
       {
         return true;
       }
@@ -199,7 +227,7 @@ private:
       this->Gap(i - 1).find_first_not_of(" -") == std::string_view::npos;
   }
 
-  // d = 0.5; among names of columns a whole number may be that of a column.
+  // d = 0.5; 3 and 4, and among names of columns any whole number, may be that of a column.
   bool HasValue(std::size_t i) const
   {
     if (i + 1 == this->All.size() || !IsDigit(this->All[i + 1].Lower[0]) ||
@@ -210,7 +238,8 @@ private:
     const bool whole = IsWhole(this->All[i + 1].Lower) &&
       this->Text.substr(this->All[i + 1].End, 1) != "." &&
       this->Gap(i).find('.') == this->Text.npos;
-    return !whole || !this->Columns;
+    const std::string& value = this->All[i + 1].Lower;
+    return !whole || (!this->Columns && value != "3" && value != "4");
   }
 
   // J. D. Smith

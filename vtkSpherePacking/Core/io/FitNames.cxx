@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/FitNames.h"
 
+#include "io/DiameterWords.h"
 #include "io/NameLists.h"
 #include "io/NameMeaning.h"
 #include "io/PackingFileError.h"
 #include "io/SplitNames.h"
 #include "io/TableLayout.h"
+#include "io/UnitsOfRemark.h"
 #include "io/UsualForms.h"
 
 #include <algorithm>
@@ -289,6 +291,13 @@ private:
   std::string Complaint;
 };
 
+NamesFit TwoUnits(std::string_view line)
+{
+  return { NamesFit::Unclear, {},
+    "found several units of length in " + Quote(line.data(), line.data() + line.size()) +
+      ", expected one for coordinates and radii" };
+}
+
 // Names among which one stands for all coordinates.
 NamesFit FitPosition(std::string_view line, std::size_t count, Radii radii)
 {
@@ -306,11 +315,21 @@ NamesFit FitPosition(std::string_view line, std::size_t count, Radii radii)
   readings.TryWords(SplitNames(names, Between::Anything));
   if (spelled.IsClear && readings.Fit())
   {
-    return readings.Result();
+    return UnitsOfRemark(line).size() > 1 ? TwoUnits(line) : readings.Result();
   }
   NamesFit fit;
   fit.What = spelled.RadiusFollows ? NamesFit::NoNames : NamesFit::Unclear;
   return fit;
+}
+
+// Whether a line speaks of diameters although one of its columns is a radius and no other is what
+// it speaks of: "x y z r (diameter)".
+bool CallsRadiusDiameter(std::string_view line, const std::vector<Column>& columns)
+{
+  const auto isRadius = [](const Column& column) { return column.Role == ColumnRole::Radius; };
+  return std::any_of(columns.begin(), columns.end(), isRadius) && SpeaksOfDiameter(line) &&
+    std::none_of(columns.begin(), columns.end(),
+      [&](const Column& column) { return !isRadius(column) && SpeaksOfDiameter(column.Name); });
 }
 
 // Names in the usual forms of lists.
@@ -374,6 +393,11 @@ bool NamesSomeOfSphere(const std::vector<std::string_view>& words, std::size_t c
   bool numbered = false;
   for (std::string_view word : words)
   {
+    if (word == "2-d" || word == "3-d" || word == "2-D" || word == "3-D")
+    {
+      others = true;
+      continue;
+    }
     const bool hasNumber = !IsNumber(word) && LeadingNumber(word, word).has_value();
     const NameMeaning meaning = MeaningOfName(word);
     const bool axis = meaning.What == NameMeaning::Coordinate;
@@ -405,10 +429,12 @@ bool HasTwoUnits(std::string_view line)
 {
   std::set<std::string> units;
   bool known = false;
+  std::size_t namesEnd = line.npos; // where a bracket of names has ended, "(x, y, z) [mm]"
   for (std::size_t at = line.find_first_of("(["); at != line.npos;)
   {
     const std::size_t end = BracketEnd(line, at);
-    const std::string_view before = Trim(line.substr(0, at));
+    std::string_view before = line.substr(0, at);
+    before = before.substr(0, before.find_last_not_of(" \t") + 1);
     const std::size_t word = before.find_last_of(" \t,;:)]");
     const std::string_view name = before.substr(word == before.npos ? 0 : word + 1);
     const std::string_view text = Trim(line.substr(at + 1, end > at ? end - at - 1 : 0));
@@ -416,8 +442,10 @@ bool HasTwoUnits(std::string_view line)
     const Names words = SplitNames(text, Between::Anything);
     const bool names = std::any_of(words.begin(), words.end(),
       [](auto each) { return IsOfSphere(MeaningOfName(each)) || IsNumber(each); });
-    if ((IsOfSphere(MeaningOfName(name)) || IsPosition(name)) && !words.empty() &&
-      (!unit.empty() || !names))
+    const bool ofSphere =
+      before.size() == namesEnd || IsOfSphere(MeaningOfName(name)) || IsPosition(name);
+    namesEnd = names ? end + 1 : line.npos;
+    if (ofSphere && !words.empty() && (!unit.empty() || !names))
     {
       units.insert(unit.empty() ? "?" + std::string(text) : unit);
       known |= !unit.empty();
@@ -461,11 +489,15 @@ NamesFit FitNames(std::string_view line, std::size_t count, Radii radii)
       }
     }
   }
-  if (fit.What != NamesFit::NoNames && fit.Complaint.empty() && HasTwoUnits(line))
+  if (fit.What == NamesFit::Fits && CallsRadiusDiameter(line, fit.Columns))
   {
     return { NamesFit::Unclear, {},
-      "found several units of length in " + Quote(line.data(), line.data() + line.size()) +
-        ", expected one for coordinates and radii" };
+      "found a radius and a diameter in " + Quote(line.data(), line.data() + line.size()) +
+        ", expected one name for each column" };
+  }
+  if (fit.What != NamesFit::NoNames && fit.Complaint.empty() && HasTwoUnits(line))
+  {
+    return TwoUnits(line);
   }
   return fit;
 }

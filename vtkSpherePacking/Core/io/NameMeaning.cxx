@@ -48,7 +48,7 @@ std::string_view TrimBlanks(std::string_view text)
   return text.substr(first, text.find_last_not_of(" \t") + 1 - first);
 }
 
-// Takes the unit off the end of a name: "[mm]", "(mm)", "_mm", "/mm" or ":mm".
+// Takes the unit off the end of a name: "[mm]", "(mm)", or "mm" behind one of _/:.-
 std::string_view TakeUnit(std::string_view name, NameMeaning& meaning)
 {
   if (const std::size_t at = name.find_first_of("(["); at != name.npos)
@@ -63,7 +63,7 @@ std::string_view TakeUnit(std::string_view name, NameMeaning& meaning)
     return TrimBlanks(name.substr(0, at));
   }
   name = TrimBlanks(name);
-  if (const std::size_t at = name.find_last_of(" \t_/:"); at != name.npos)
+  if (const std::size_t at = name.find_last_of(" \t_/:.-"); at != name.npos)
   {
     meaning.Unit = LengthUnit(name.substr(at + 1));
     meaning.IsUnitGlued = !meaning.Unit.empty();

@@ -2,25 +2,19 @@
 #include "io/RemarksOnSize.h"
 
 #include "io/DiameterWords.h"
-#include "io/NameMeaning.h"
 #include "io/NamelessColumns.h"
 #include "io/PackingFileError.h"
 #include "io/TableHead.h"
+#include "io/UnitsOfRemark.h"
 
 #include <algorithm>
 #include <set>
 #include <string>
-#include <string_view>
 
 namespace spherepacking
 {
 namespace
 {
-bool IsLetter(char c)
-{
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c < 0;
-}
-
 // x y z SIZE and a - for each further column, as columns= takes them.
 std::string ColumnsWith(const char* size, std::size_t count)
 {
@@ -31,42 +25,6 @@ std::string ColumnsWith(const char* size, std::size_t count)
     columns += " -";
   }
   return columns + (count > most ? " ...\"" : "\"");
-}
-
-// The units of length in a remark on places or sizes, but for those behind numbers, as in "10 cm".
-// An m may be a mass: it is a unit in a bracket, behind "in" or right behind a name.
-std::set<std::string> UnitsOfRemark(std::string_view remark)
-{
-  std::set<std::string> units;
-  bool onSpheres = false;
-  std::string_view before;
-  for (std::size_t p = 0; p < remark.size();)
-  {
-    std::size_t end = p;
-    while (end < remark.size() && IsLetter(remark[end]))
-    {
-      ++end;
-    }
-    if (end == p)
-    {
-      ++p;
-      continue;
-    }
-    const std::string_view word = remark.substr(p, end - p);
-    const std::size_t last = p == 0 ? remark.npos : remark.find_last_not_of(" \t", p - 1);
-    const char sign = last == remark.npos ? ' ' : remark[last];
-    const bool value = sign >= '0' && sign <= '9';
-    const bool said = before == "in" || std::string_view("([{</_:").find(sign) != remark.npos;
-    const std::string unit = LengthUnit(word);
-    if (!unit.empty() && !value && (said || unit != "m"))
-    {
-      units.insert(unit);
-    }
-    onSpheres |= IsOfSphere(MeaningOfName(word)) || IsPosition(word);
-    before = word;
-    p = end;
-  }
-  return onSpheres ? units : std::set<std::string>();
 }
 }
 

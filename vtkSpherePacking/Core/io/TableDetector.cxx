@@ -214,8 +214,8 @@ private:
     }
   }
 
-  // A header of one name fewer than the `count` columns, of which the first must be an index: pandas'
-  // to_string and R's write.table give it no name. False if there are not so many names.
+  // A header of one name fewer than the `count` columns, of which the first must be an index:
+  // pandas' to_string and R's write.table give it no name. False if there are not so many names.
   bool TakeIndexedHeader(std::size_t count)
   {
     const TextRange& header = this->Head.Row;
@@ -415,7 +415,7 @@ private:
       (sphere.size() == words.size() || ColumnsFromNames(words, complaint)); // r may be red
     const bool atOnce = sphere.size() == 4 && sphere[3] == 3;
     if (AreNumbered(View(line)) || sphere.size() < 3 || noRadius || lengths.size() > 1 ||
-      (!atOnce && SpeaksOfDiameter(View(line))))
+      SpeaksOfDiameter(View(line)))
     {
       return Naming::All;
     }

@@ -134,19 +134,22 @@ std::string WithCommas(std::string_view text, char delimiter, std::size_t count)
   return pieces == count ? commas : std::string();
 }
 
-// "xyzd" as "x y z d", if it comes first or behind ids.
-std::string WithLetters(std::string_view text)
+// "xyzd" as "x y z d", if it comes first or behind ids. "xyzr" says no more than places do, unless
+// there are names for all columns.
+std::string WithLetters(std::string_view text, std::size_t count)
 {
   static const std::set<std::string> glued{ "xyzr", "xyzd", "rxyz", "dxyz" };
   std::string letters;
   bool found = false;
-  for (const std::string_view word : SplitNames(text, Between::Anything))
+  const Names words = SplitNames(text, Between::Anything);
+  for (const std::string_view word : words)
   {
     std::string lower(word);
     std::transform(lower.begin(), lower.end(), lower.begin(),
       [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
     const bool here = !found && glued.count(lower) > 0;
-    if (!here && !found && !IsIdName(word))
+    const bool byPlace = here && lower == "xyzr" && words.size() + 3 != count;
+    if (byPlace || (!here && !found && !IsIdName(word)))
     {
       return {};
     }
@@ -188,7 +191,7 @@ std::vector<std::string> UsualForms(std::string_view line, std::size_t count)
   {
     forms.push_back(WithCommas(names, delimiter, count));
   }
-  forms.push_back(WithLetters(names));
+  forms.push_back(WithLetters(names, count));
   forms.erase(std::remove(forms.begin(), forms.end(), std::string()), forms.end());
   for (std::string& form : forms)
   {

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/UnitsOfRemark.h"
+
+#include "io/NameMeaning.h"
+
+#include <cstddef>
+
+namespace spherepacking
+{
+namespace
+{
+bool IsLetter(char c)
+{
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c < 0;
+}
+}
+
+//------------------------------------------------------------------------------
+std::set<std::string> UnitsOfRemark(std::string_view remark)
+{
+  std::set<std::string> units;
+  bool onSpheres = false;
+  std::string_view before;
+  for (std::size_t p = 0; p < remark.size();)
+  {
+    std::size_t end = p;
+    while (end < remark.size() && IsLetter(remark[end]))
+    {
+      ++end;
+    }
+    if (end == p)
+    {
+      ++p;
+      continue;
+    }
+    const std::string_view word = remark.substr(p, end - p);
+    const std::size_t last = p == 0 ? remark.npos : remark.find_last_not_of(" \t", p - 1);
+    const char sign = last == remark.npos ? ' ' : remark[last];
+    const bool value = sign >= '0' && sign <= '9';
+    const bool said = before == "in" || std::string_view("([{</_:").find(sign) != remark.npos;
+    const std::string unit = LengthUnit(word);
+    if (!unit.empty() && !value && (said || unit != "m"))
+    {
+      units.insert(unit);
+    }
+    onSpheres |= IsOfSphere(MeaningOfName(word)) || IsPosition(word);
+    before = word;
+    p = end;
+  }
+  return onSpheres ? units : std::set<std::string>();
+}
+}

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef UnitsOfRemark_h
+#define UnitsOfRemark_h
+
+#include <set>
+#include <string>
+#include <string_view>
+
+namespace spherepacking
+{
+/**
+ * The units of length, in one spelling each, in a remark on places or sizes, but for those behind
+ * numbers, as in "10 cm". An m may be a mass: it is a unit in a bracket, behind "in" or right
+ * behind a name, as in x/m.
+ */
+std::set<std::string> UnitsOfRemark(std::string_view remark);
+}
+
+#endif
