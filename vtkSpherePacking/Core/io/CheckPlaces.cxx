@@ -36,13 +36,6 @@ bool HasPoint(std::string_view field)
   return field.find_first_of(".eE") != field.npos;
 }
 
-double ValueOf(std::string_view field)
-{
-  double value = 0;
-  ParseNumber(field.data(), field.data() + field.size(), value);
-  return value;
-}
-
 /// What rows say of the first column: all, or those up to one in which it is no id.
 class FirstColumn
 {
@@ -53,7 +46,7 @@ public:
       [&](const TextRange& row)
       {
         this->First = this->First.Begin ? this->First : row;
-        this->MayBeIds = this->Add(between.Split(row.Begin));
+        this->MayBeIds = this->Add(row.Begin, between);
         return this->MayBeIds;
       });
     std::sort(this->Values.begin(), this->Values.end());
@@ -75,30 +68,41 @@ public:
   std::array<bool, 3> Fractions{}; ///< in which of y, z and radius some number is not whole
 
 private:
-  bool Add(const Fields& fields)
+  // Looks at the row at `p`. False if it shows that the column holds no ids.
+  bool Add(const char* p, const Separators& between)
   {
-    const double value = ValueOf(fields[0]);
-    const char first = fields[0].empty() ? ' ' : fields[0][0];
-    const bool points = HasPoint(fields[0]);
-    const bool same = this->Values.empty() || points == this->Points;
-    if (!same || first < '0' || first > '9' || !IsNumber(fields[0]) || value != std::floor(value))
+    const bool isFirstRow = this->Values.empty();
+    p = between.SkipBlanks(p);
+    for (std::size_t i = 0; !between.EndsLine(*p) && (i < 4 || this->PointsEverywhere); ++i)
     {
-      return false;
-    }
-    for (std::size_t i = 1; i < fields.size(); ++i)
-    {
-      const double beside = ValueOf(fields[i]);
-      this->PointsEverywhere &= HasPoint(fields[i]) || !IsNumber(fields[i]);
-      this->PointsBeside |= i < 3 && HasPoint(fields[i]);
-      if (i < 4)
+      const char* const end = between.FieldEnd(p);
+      const std::string_view field = between.Unquote({ p, static_cast<std::size_t>(end - p) });
+      const char* const fieldEnd = field.data() + field.size();
+      double value = 0;
+      const bool isNumber = ParseNumber(field.data(), fieldEnd, value) == fieldEnd;
+      const bool points = HasPoint(field);
+      const bool isWhole = value == std::floor(value);
+      if (i == 0)
       {
-        this->Fractions[i - 1] |= beside != std::floor(beside);
-        this->Repeats &= this->Values.empty() || beside == this->Place[i - 1];
-        this->Place[i - 1] = beside;
+        const bool digit = !field.empty() && field[0] >= '0' && field[0] <= '9';
+        if (!isNumber || !digit || !isWhole || (!isFirstRow && points != this->Points))
+        {
+          return false;
+        }
+        this->Points = points;
+        this->Values.push_back(value);
       }
+      else if (i < 4)
+      {
+        this->PointsBeside |= i < 3 && points;
+        this->Fractions[i - 1] |= !isWhole;
+        this->Repeats &= isFirstRow || value == this->Place[i - 1];
+        this->Place[i - 1] = value;
+      }
+      this->PointsEverywhere &= i == 0 || points || !isNumber;
+      p = between.SkipBlanks(end);
+      p = between.IsDelimiter(*p) ? between.SkipBlanks(p + 1) : p;
     }
-    this->Points = points;
-    this->Values.push_back(value);
     return true;
   }
 

@@ -179,7 +179,13 @@ std::vector<std::string> UsualForms(std::string_view line, std::size_t count)
   if (Unwrap(names, inner, unit))
   {
     names = inner;
-    forms.emplace_back(names);
+    forms.push_back(std::string(names) + (unit.empty() ? "" : " in " + unit));
+  }
+  const auto has = [names](const char* letters)
+  { return names.find_first_of(letters) != names.npos; };
+  if (!has("xX") || !has("yY") || !has("zZ"))
+  {
+    return forms;
   }
   forms.push_back(WithoutBrackets(names));
   for (const char delimiter : std::string_view("|/:\\&"))
@@ -193,10 +199,6 @@ std::vector<std::string> UsualForms(std::string_view line, std::size_t count)
   }
   forms.push_back(WithLetters(names, count));
   forms.erase(std::remove(forms.begin(), forms.end(), std::string()), forms.end());
-  for (std::string& form : forms)
-  {
-    form += unit.empty() ? "" : " in " + unit;
-  }
   return forms;
 }
 }
