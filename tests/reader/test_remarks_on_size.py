@@ -168,6 +168,7 @@ TWO_UNITS = [
     *("positions in m, radii in mm", "center: m; radius: mm", "(x, y, z) [m], r [mm]"),
     *("x y z [m] r [mm]", "[x y z] (m) [r] (mm)", "x (voxel) y (voxel) z (voxel) r (um)"),
     *("x [px] y [px] z [slice] r [px]", "x(m) y(m) z(m) r(in mm)", "x y z in m, r in mm"),
+    *("coordinates in\u00a0m, radii in\u00a0mm", "x / m, y / m, z / m, r / mm"),
     *("positions in m\n# radii in mm", "unit of x, y, z: m\n# unit of r: mm"),
 ]
 
@@ -187,6 +188,8 @@ def test_units_that_differ(refused, read_text, remark):
         *("x/mm y/mm z/mm r/mm", "x_mm y_mm z_mm r_mm", "x:mm y:mm z:mm r:mm", "x y z r in mm"),
         *("positions (mm) radius (mm)", "(x, y, z) [mm], r [mm]", "positions and radii in mm"),
         *("box 10 cm, radius 0.5 mm", "3 voxels, coordinates in um", "x y z r (1 px = 3 um)"),
+        *("positions in mm, density 2500 kg/m^3", "positions in mm, velocities in m/s"),
+        *("radius in mm, volume in cm^3, area in cm²", "positions\u00a0in\u00a0mm, r in mm"),
         *("x (px) y (px) z (px) r (px)", "x.m y.m z.m r.m", "lengths in mm", "all in m"),
     ],
 )
@@ -221,6 +224,12 @@ def test_units_that_differ_in_a_header(refused, header, names):
 )
 def test_units_that_agree_in_a_header(read_text, header):
     assert spheres(read_text(header + "\n" + FOUR.replace(" ", ","), "p.csv")) == BY_PLACE
+
+
+def test_blanks_that_do_not_break_between_numbers(refused):
+    """They look like others, so that the message shows their bytes."""
+    message = refused(FOUR.replace(" ", "\u00a0"))
+    assert r"found 1 column '1.5\xc2\xa02.5\xc2\xa03.5\xc2\xa00.5', expected at least 4" in message
 
 
 @pytest.mark.parametrize(

@@ -53,7 +53,7 @@ void CheckRemarks(const std::vector<TextRange>& remarks, std::size_t count)
       throw LineError(remark.FirstLine,
         "found " + Quote(remark.Begin, remark.End) + " and so the units of length " +
           *units.begin() + " and " + *units.rbegin() +
-          ", expected one for coordinates and radii, or " + ColumnsHint);
+          ", expected one for coordinates and radii, or " + HintFor(count));
     }
   }
 }

@@ -13,11 +13,20 @@ bool IsLetter(char c)
 {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c < 0;
 }
+
+bool IsPlaceOrSize(std::string_view word)
+{
+  return IsOfSphere(MeaningOfName(word)) || IsPosition(word);
+}
 }
 
 //------------------------------------------------------------------------------
 std::set<std::string> UnitsOfRemark(std::string_view remark)
 {
+  if (remark.find(NoBreakSpace) != remark.npos)
+  {
+    return UnitsOfRemark(WithPlainBlanks(remark));
+  }
   std::set<std::string> units;
   bool onSpheres = false;
   std::string_view before;
@@ -38,12 +47,14 @@ std::set<std::string> UnitsOfRemark(std::string_view remark)
     const char sign = last == remark.npos ? ' ' : remark[last];
     const bool value = sign >= '0' && sign <= '9';
     const bool said = before == "in" || std::string_view("([{</_:").find(sign) != remark.npos;
+    const bool ofOther = (sign == '/' && !IsPlaceOrSize(before)) ||
+      (end < remark.size() && std::string_view("/^*0123456789").find(remark[end]) != remark.npos);
     const std::string unit = LengthUnit(word);
-    if (!unit.empty() && !value && (said || unit != "m"))
+    if (!unit.empty() && !value && !ofOther && (said || unit != "m"))
     {
       units.insert(unit);
     }
-    onSpheres |= IsOfSphere(MeaningOfName(word)) || IsPosition(word);
+    onSpheres |= IsPlaceOrSize(word);
     before = word;
     p = end;
   }
