@@ -83,6 +83,19 @@ def test_lists_of_other_names(refused, names):
     assert 'columns="x y z r" (--columns)' in message
 
 
+@pytest.mark.parametrize(
+    "names",
+    [
+        *("r/x/y/z", "z/y/x/r", "x/y/z/m", "r/x/y/z mass", "[x, y, z, mass] mass", "x/y/z"),
+        *("u v w r", "i j k r", "lon lat h r", "row col slice r"),
+    ],
+)
+def test_lists_of_other_names_over_more_columns(refused, names):
+    for rows in (FIVE, FIVE.replace("\n", " 1.5\n")):
+        if names != "r/x/y/z mass" or rows != FIVE:
+            assert refused(f"# {names}\n{rows}").startswith(", line 1: found ")
+
+
 DIAMETERS = [
     *("center[0] center[1] center[2] diameter", "r[3] d", "diameter=2r", "diameters", "DIAMETER"),
     *("4th column is the diameter", "diameters of spheres: d", "centre of sphere diameter"),
@@ -169,6 +182,7 @@ TWO_UNITS = [
     *("x y z [m] r [mm]", "[x y z] (m) [r] (mm)", "x (voxel) y (voxel) z (voxel) r (um)"),
     *("x [px] y [px] z [slice] r [px]", "x(m) y(m) z(m) r(in mm)", "x y z in m, r in mm"),
     *("coordinates in\u00a0m, radii in\u00a0mm", "x / m, y / m, z / m, r / mm"),
+    *("x: [m]\n# y: [m]\n# z: [m]\n# r: [mm]", "lengths: m\n# r: mm", "box in m\n# all in mm"),
     *("positions in m\n# radii in mm", "unit of x, y, z: m\n# unit of r: mm"),
 ]
 
@@ -177,7 +191,8 @@ TWO_UNITS = [
 def test_units_that_differ(refused, read_text, remark):
     text = f"# {remark}\n{FOUR}"
     message = refused(text)
-    assert message.startswith(f", line {text.count('#')}: found ")
+    assert ": found " in message
+    assert message.startswith((", line 1:", f", line {text.count('#')}:"))
     assert "(--columns)" in message
     assert spheres(read_text(text, columns="x y z r")) == BY_PLACE
 

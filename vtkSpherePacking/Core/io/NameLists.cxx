@@ -88,7 +88,8 @@ bool IsIdName(std::string_view name)
 bool ListOtherColumns(Names words, std::size_t count)
 {
   DropAnd(words);
-  if (words.size() != count || IsSentence(words))
+  const bool fewer = words.size() < count;
+  if (words.size() > count || (fewer && words.size() < 4) || IsSentence(words))
   {
     return false;
   }
@@ -104,7 +105,7 @@ bool ListOtherColumns(Names words, std::size_t count)
     size |= meaning.What == NameMeaning::Radius || meaning.What == NameMeaning::Diameter;
   }
   const auto named = std::count(axes.begin(), axes.end(), true);
-  return named == 3 ? !size
+  return named == 3 ? !size && !fewer
                     : (named > 0 || size) && std::all_of(words.begin(), words.end(), IsNameLike);
 }
 

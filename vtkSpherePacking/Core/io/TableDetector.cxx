@@ -12,6 +12,7 @@
 #include "io/SizeComponents.h"
 #include "io/TableHead.h"
 #include "io/UnnamedIndex.h"
+#include "io/UsualForms.h"
 
 #include <algorithm>
 #include <set>
@@ -354,8 +355,15 @@ private:
       this->Layout.Named = Naming::None;
       return false;
     }
-    this->Layout.Named =
-      fit.OneEach || HasTwoUnits(View(fit.Line)) ? Naming::All : this->FirstFour(fit.Line, count);
+    if (!fit.OneEach && !HasTwoUnits(View(fit.Line)))
+    {
+      this->Layout.Named = this->FirstFour(View(fit.Line), count);
+      const auto forms = UsualForms(View(fit.Line), count);
+      for (std::size_t i = 0; i < forms.size() && this->Layout.Named == Naming::All; ++i)
+      {
+        this->Layout.Named = this->FirstFour(forms[i], count);
+      }
+    }
     if (this->Layout.Named != Naming::All)
     {
       return false;
@@ -383,9 +391,9 @@ private:
   // What a comment that does not name all columns, and only them, says of the first four, or All if
   // that is not certain. With words before or between x, y, z and radius, or without the radius,
   // the rows must have four columns.
-  static Naming FirstFour(const TextRange& line, std::size_t count)
+  static Naming FirstFour(std::string_view line, std::size_t count)
   {
-    const Fields words = NameWords(View(line));
+    const Fields words = NameWords(line);
     std::string complaint;
     const auto columns = ColumnsFromNames(words, complaint, Radii::Optional);
     const auto roles = columns ? *columns : std::vector<Column>();
@@ -414,8 +422,8 @@ private:
     const bool noRadius = sphere.size() == 3 &&
       (sphere.size() == words.size() || ColumnsFromNames(words, complaint)); // r may be red
     const bool atOnce = sphere.size() == 4 && sphere[3] == 3;
-    if (AreNumbered(View(line)) || sphere.size() < 3 || noRadius || lengths.size() > 1 ||
-      SpeaksOfDiameter(View(line)))
+    if (AreNumbered(line) || sphere.size() < 3 || noRadius || lengths.size() > 1 ||
+      SpeaksOfDiameter(line))
     {
       return Naming::All;
     }

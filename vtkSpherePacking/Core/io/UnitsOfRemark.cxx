@@ -28,7 +28,6 @@ std::set<std::string> UnitsOfRemark(std::string_view remark)
     return UnitsOfRemark(WithPlainBlanks(remark));
   }
   std::set<std::string> units;
-  bool onSpheres = false;
   std::string_view before;
   for (std::size_t p = 0; p < remark.size();)
   {
@@ -54,10 +53,9 @@ std::set<std::string> UnitsOfRemark(std::string_view remark)
     {
       units.insert(unit);
     }
-    onSpheres |= IsPlaceOrSize(word);
     before = word;
     p = end;
   }
-  return onSpheres ? units : std::set<std::string>();
+  return units;
 }
 }

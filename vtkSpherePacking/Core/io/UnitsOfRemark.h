@@ -9,9 +9,9 @@
 namespace spherepacking
 {
 /**
- * The units of length, in one spelling each, in a remark on places or sizes, but for those behind
- * numbers, as in "10 cm". An m may be a mass: it is a unit in a bracket, behind "in" or right
- * behind a name, as in x/m.
+ * The units of length, in one spelling each, that a remark speaks of, but for those behind numbers,
+ * "10 cm", and within other units, "kg/m^3". An m may be a mass: it is a unit in a bracket, behind
+ * "in" or right behind a name, as in x/m.
  */
 std::set<std::string> UnitsOfRemark(std::string_view remark);
 }

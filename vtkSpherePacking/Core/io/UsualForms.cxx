@@ -89,8 +89,9 @@ std::string WithoutBrackets(std::string_view text)
     const std::string_view within = closes ? text.substr(p + 1, closing - p - 1) : "";
     const Names words = SplitNames(within, Between::Anything);
     const bool names = !words.empty() &&
-      std::all_of(words.begin(), words.end(),
-        [](auto word) { return IsOfSphere(MeaningOfName(word)) || IsIdName(word); });
+      (std::count_if(words.begin(), words.end(), IsCoordinate) == 3 ||
+        std::all_of(words.begin(), words.end(),
+          [](auto word) { return IsOfSphere(MeaningOfName(word)) || IsIdName(word); }));
     if (!names)
     {
       loose += text[p];
@@ -111,11 +112,13 @@ std::string WithoutBrackets(std::string_view text)
   return found ? loose : std::string();
 }
 
-// The pieces between `delimiter`, if there are `count` and none is empty, with commas between.
+// The pieces between `delimiter`, with commas between, if there are `count` or if x, y and z are
+// among them, and none is empty.
 std::string WithCommas(std::string_view text, char delimiter, std::size_t count)
 {
   std::string commas;
   std::size_t pieces = 0;
+  std::size_t axes = 0;
   for (std::size_t begin = 0; begin <= text.size();)
   {
     const std::size_t end = std::min(text.find(delimiter, begin), text.size());
@@ -128,10 +131,12 @@ std::string WithCommas(std::string_view text, char delimiter, std::size_t count)
     if (!piece.empty())
     {
       commas += (pieces++ > 0 ? ", " : "") + std::string(piece);
+      const std::string_view word = piece.substr(0, piece.find_first_of(" \t"));
+      axes += word.size() == 1 && IsCoordinate(word) ? 1 : 0;
     }
     begin = end + 1;
   }
-  return pieces == count ? commas : std::string();
+  return pieces == count || axes == 3 ? commas : std::string();
 }
 
 // "xyzd" as "x y z d", if it comes first or behind ids. "xyzr" says no more than places do, unless
