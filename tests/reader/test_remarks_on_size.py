@@ -148,7 +148,15 @@ def test_a_remark_behind_rows(refused, chunk):
     "remark",
     [
         *("3-d packing", "2 D packing", "3D", "d'Alembert", "d’Alembert", "d = 0.5", "d=0.5 mm"),
-        *("J. D. Smith", "D. Smith 1999", "Appendix D", "a diamond lattice", "diamonds", "D = 1"),
+        *(
+            "J. D. Smith",
+            "D. Smith 1999",
+            "Ph.D. of J.D.",
+            "Appendix D",
+            "a diamond lattice",
+            "diamonds",
+            "D = 1",
+        ),
         *("made on D:\\data\\x.txt", "/mnt/d/run", "d 0.25", "format %d %g", "id: d41d8cd9"),
         *("dense random packing", "3d scan", "d3 = 5", "x-ray scan", "xyzr format", "Radius"),
     ],

@@ -242,13 +242,19 @@ private:
     return !whole || (!this->Columns && value != "3" && value != "4");
   }
 
-  // J. D. Smith
+  // J. D. Smith, Ph.D.
   bool IsOfPerson(std::size_t i) const
   {
-    return i + 1 < this->All.size() && IsUpper(this->Text[this->All[i].Begin]) &&
-      this->Gap(i).substr(0, 1) == "." &&
-      this->Gap(i).find_first_not_of(" ", 1) == std::string_view::npos &&
-      IsUpper(this->Text[this->All[i + 1].Begin]) && this->All[i + 1].Lower.size() > 1;
+    const Word& word = this->All[i];
+    if (!IsUpper(this->Text[word.Begin]) || this->Text.substr(word.End, 1) != ".")
+    {
+      return false;
+    }
+    const bool initial = i + 1 < this->All.size() && this->All[i + 1].Lower.size() > 1 &&
+      IsUpper(this->Text[this->All[i + 1].Begin]) &&
+      this->Gap(i).find_first_not_of(" ", 1) == std::string_view::npos;
+    const bool glued = !this->Columns && word.Begin > 0 && this->Text[word.Begin - 1] == '.';
+    return initial || glued;
   }
 
   // Appendix D

@@ -15,7 +15,6 @@
 #include <charconv>
 #include <iterator>
 #include <optional>
-#include <set>
 
 namespace spherepacking
 {
@@ -422,37 +421,6 @@ bool NamesOtherColumns(std::string_view line, std::size_t count)
   { return ListOtherColumns(NameWords(text), count) || ListOtherColumns(SplitWords(text), count); };
   const std::vector<std::string> forms = UsualForms(line, count);
   return lists(line) || std::any_of(forms.begin(), forms.end(), lists);
-}
-
-//------------------------------------------------------------------------------
-bool HasTwoUnits(std::string_view line)
-{
-  std::set<std::string> units;
-  bool known = false;
-  std::size_t namesEnd = line.npos; // where a bracket of names has ended, "(x, y, z) [mm]"
-  for (std::size_t at = line.find_first_of("(["); at != line.npos;)
-  {
-    const std::size_t end = BracketEnd(line, at);
-    std::string_view before = line.substr(0, at);
-    before = before.substr(0, before.find_last_not_of(" \t") + 1);
-    const std::size_t word = before.find_last_of(" \t,;:)]");
-    const std::string_view name = before.substr(word == before.npos ? 0 : word + 1);
-    const std::string_view text = Trim(line.substr(at + 1, end > at ? end - at - 1 : 0));
-    const std::string unit = UnitInBracket(text);
-    const Names words = SplitNames(text, Between::Anything);
-    const bool names = std::any_of(words.begin(), words.end(),
-      [](auto each) { return IsOfSphere(MeaningOfName(each)) || IsNumber(each); });
-    const bool ofSphere =
-      before.size() == namesEnd || IsOfSphere(MeaningOfName(name)) || IsPosition(name);
-    namesEnd = names ? end + 1 : line.npos;
-    if (ofSphere && !words.empty() && (!unit.empty() || !names))
-    {
-      units.insert(unit.empty() ? "?" + std::string(text) : unit);
-      known |= !unit.empty();
-    }
-    at = end > at ? line.find_first_of("([", end) : line.npos;
-  }
-  return known && units.size() > 1;
 }
 
 //------------------------------------------------------------------------------

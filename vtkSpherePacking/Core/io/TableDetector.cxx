@@ -11,6 +11,7 @@
 #include "io/RemarksOnSize.h"
 #include "io/SizeComponents.h"
 #include "io/TableHead.h"
+#include "io/UnitsOfRemark.h"
 #include "io/UnnamedIndex.h"
 #include "io/UsualForms.h"
 

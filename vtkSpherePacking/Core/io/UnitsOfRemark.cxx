@@ -2,14 +2,18 @@
 #include "io/UnitsOfRemark.h"
 
 #include "io/NameMeaning.h"
+#include "io/SplitNames.h"
+#include "io/TableLayout.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <vector>
 
 namespace spherepacking
 {
 namespace
 {
-bool IsLetter(char c)
+bool IsOfWord(char c)
 {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c < 0;
 }
@@ -32,7 +36,7 @@ std::set<std::string> UnitsOfRemark(std::string_view remark)
   for (std::size_t p = 0; p < remark.size();)
   {
     std::size_t end = p;
-    while (end < remark.size() && IsLetter(remark[end]))
+    while (end < remark.size() && IsOfWord(remark[end]))
     {
       ++end;
     }
@@ -57,5 +61,36 @@ std::set<std::string> UnitsOfRemark(std::string_view remark)
     p = end;
   }
   return units;
+}
+
+//------------------------------------------------------------------------------
+bool HasTwoUnits(std::string_view line)
+{
+  std::set<std::string> units;
+  bool known = false;
+  std::size_t namesEnd = line.npos; // where a bracket of names has ended, "(x, y, z) [mm]"
+  for (std::size_t at = line.find_first_of("(["); at != line.npos;)
+  {
+    const std::size_t end = BracketEnd(line, at);
+    std::string_view before = line.substr(0, at);
+    before = before.substr(0, before.find_last_not_of(" \t") + 1);
+    const std::size_t word = before.find_last_of(" \t,;:)]");
+    const std::string_view name = before.substr(word == before.npos ? 0 : word + 1);
+    const std::string_view text = Trim(line.substr(at + 1, end > at ? end - at - 1 : 0));
+    const std::string unit = UnitInBracket(text);
+    const std::vector<std::string_view> words = SplitNames(text, Between::Anything);
+    const bool names = std::any_of(words.begin(), words.end(),
+      [](auto each) { return IsOfSphere(MeaningOfName(each)) || IsNumber(each); });
+    const bool ofSphere =
+      before.size() == namesEnd || IsOfSphere(MeaningOfName(name)) || IsPosition(name);
+    namesEnd = names ? end + 1 : line.npos;
+    if (ofSphere && !words.empty() && (!unit.empty() || !names))
+    {
+      units.insert(unit.empty() ? "?" + std::string(text) : unit);
+      known |= !unit.empty();
+    }
+    at = end > at ? line.find_first_of("([", end) : line.npos;
+  }
+  return known && units.size() > 1;
 }
 }

@@ -14,6 +14,10 @@ namespace spherepacking
  * "in" or right behind a name, as in x/m.
  */
 std::set<std::string> UnitsOfRemark(std::string_view remark);
+
+/// Whether the brackets right behind names of the sphere hold units of different lengths, or one
+/// and something else in place of it.
+bool HasTwoUnits(std::string_view line);
 }
 
 #endif
