@@ -34,6 +34,7 @@ public:
     : Names(names)
     , By(by)
   {
+    this->Meanings.reserve(names.size());
     for (const std::string_view name : names)
     {
       this->Meanings.push_back(MeaningOfName(name));
@@ -305,6 +306,10 @@ private:
 std::optional<std::vector<Column>> ColumnsFromNames(
   const std::vector<std::string_view>& names, std::string& complaint, Radii radii, NamesBy by)
 {
+  if (names.size() > MostNames)
+  {
+    return std::nullopt;
+  }
   return RoleFinder(names, by).Find(complaint, radii);
 }
 }

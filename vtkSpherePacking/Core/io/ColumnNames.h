@@ -4,6 +4,7 @@
 
 #include "io/TableColumn.h"
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,6 +18,10 @@ enum class Radii
   Required,
   Optional
 };
+
+/// More names, numbers and units than those of any table, so that a long remark takes little
+/// memory.
+constexpr std::size_t MostNames = 1 << 17;
 
 /// Who calls columns by names.
 enum class NamesBy
@@ -38,8 +43,9 @@ enum class NamesBy
  * R beside G and B is red, and r beside an angle such as theta or phi, unless the user says so, is
  * a distance; neither is a radius.
  *
- * Returns nothing if a coordinate or both radius and diameter are missing. Sets `complaint`, a
- * sentence "found ..., expected ...", if two names mean one thing or the radius is none.
+ * Returns nothing if a coordinate or both radius and diameter are missing, or if there are more
+ * names than MostNames. Sets `complaint`, a sentence "found ..., expected ...", if two names mean
+ * one thing or the radius is none.
  */
 std::optional<std::vector<Column>> ColumnsFromNames(const std::vector<std::string_view>& names,
   std::string& complaint, Radii radii = Radii::Required, NamesBy by = NamesBy::File);

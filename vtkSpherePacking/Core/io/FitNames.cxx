@@ -124,6 +124,10 @@ std::size_t UnitEnd(const Names& names, std::size_t i)
 // The unit of length that stands behind each name of the sphere, or nothing. Red has none.
 std::string UnitOfSphere(const Names& names)
 {
+  if (names.size() > MostNames)
+  {
+    return {};
+  }
   std::vector<NameMeaning> meanings;
   std::transform(names.begin(), names.end(), std::back_inserter(meanings), MeaningOfName);
   const auto has = [&](NameMeaning::Kind kind)
