@@ -160,9 +160,9 @@ TEXTS = {
     "csv, too many": (
         "p.csv",
         "x,y,z,r\n1,2,3,4,5\n",
-        2,
-        "5 columns '1,2,3,4,5'",
-        "4 columns: x y z r",
+        1,
+        "the 4 names 'x,y,z,r' over rows of 5 columns",
+        "a name for each column",
     ),
     "csv, decimal commas": ("p.csv", "x;y;z;r\n1,5;2;3;4\n", 2, "'1,5' as x", "a number"),
     "csv, two in one": ("p.csv", "x,y,z,r\n1 2,3,4,5\n", 2, "'1 2' as x", "a number"),

@@ -113,7 +113,7 @@ class _PlainFile:
                 packing = reader.read()
         except PackingFileError as error:
             sentence = what_else(self._path)
-            hinted = "radius= " in str(error)
+            hinted = "radius=" in str(error)
             if sentence is None and not hinted and self._lacks_radii_alone():
                 sentence = f"{error}; radius= gives radii (--radius)"
             if sentence is None:
