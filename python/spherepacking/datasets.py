@@ -231,6 +231,11 @@ def _take_cell_arrays(packing: pv.PolyData, dataset: pv.DataSet) -> None:
         ids = np.asarray(dataset.cell_connectivity)
     else:
         return
+    wrong = ids[(ids < 0) | (ids >= dataset.n_points)]
+    if wrong.size:
+        raise ValueError(
+            f"packing: found a cell of the point {wrong[0]}, expected one of {dataset.n_points}"
+        )
     at = np.full(dataset.n_points, -1)
     at[ids] = np.arange(len(ids))
     if (at < 0).any():

@@ -274,7 +274,7 @@ def test_an_error_names_the_file_of_the_step(tmp_path):
     (tmp_path / "a1.vtu").write_text("<VTKFile")
     steps = spherepacking.steps(tmp_path / "a*.vtu")
     assert xs(steps[:1]) == [0]
-    with pytest.raises(spherepacking.PackingFileError, match=r"a1\.vtu: found no dataset"):
+    with pytest.raises(spherepacking.PackingFileError, match=r"a1\.vtu: found no XML"):
         steps[1]
 
 
