@@ -224,7 +224,7 @@ def _take_cell_arrays(packing: pv.PolyData, dataset: pv.DataSet) -> None:
     if isinstance(dataset, pv.PolyData):
         if dataset.n_verts != dataset.n_cells or len(dataset.verts) != 2 * dataset.n_cells:
             return
-        ids = np.asarray(dataset.verts[1::2])
+        ids: np.ndarray = np.asarray(dataset.verts[1::2])
     elif isinstance(dataset, pv.UnstructuredGrid):
         if not (dataset.celltypes == pv.CellType.VERTEX).all():
             return

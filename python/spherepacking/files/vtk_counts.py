@@ -80,7 +80,12 @@ def _check_elements(data: mmap.mmap, elements: list[Element]) -> None:
         for name in _EXTENTS
         if name in element.attributes
     ]
-    wrong = [count for count in [*counts, sum(counts)] if not 0 <= count <= most]
+    # Blocks up to that of an index are allocated.
+    blocks = [
+        element.integer("index") or 0 for element in elements if "index" in element.attributes
+    ]
+    wrong = [count for count in blocks if not 0 <= count <= len(data)]
+    wrong += [count for count in [*counts, sum(counts)] if not 0 <= count <= most]
     if wrong:
         raise ValueError(
             f"found the count {wrong[0]:,} in a file of {len(data):,} bytes, expected no more than "

@@ -82,6 +82,12 @@ def elements_of(data: mmap.mmap) -> list[Element]:
     def start(name: str, attributes: dict[str, str]) -> None:
         rest = _REST_OF_TAG.match(data, parser.CurrentByteIndex)
         content = rest.end() if rest else len(data)
+        if "Array" in name and data.find(b">", parser.CurrentByteIndex) + 1 != content:
+            # VTK looks for values behind it.
+            raise ValueError(
+                f"found > within the tag of an array in line {parser.CurrentLineNumber}"
+                ", expected &gt;"
+            )
         parent = open_ones[-1] if open_ones else None
         element = Element(name, attributes, parent, content)
         if parent is not None:
