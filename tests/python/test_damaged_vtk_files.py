@@ -299,3 +299,32 @@ def test_texts_that_are_no_utf8(tmp_path, old, new):
     (tmp_path / "b.vtk").write_bytes(text.replace(old, new))
     with pytest.raises(spherepacking.PackingFileError, match=r"found the (bytes|name).*xe9"):
         spherepacking.read(tmp_path / "b.vtk")
+
+
+@pytest.mark.parametrize("size", [5, 200, 4096, 2**40])
+def test_a_heap_of_texts_in_hdf5_that_has_no_end(tmp_path, size):
+    """HDF5 walks on by sizes of 0 for ever."""
+    writer = pytest.importorskip(f"{pv.PolyData.__mro__[-2].__module__.partition('.')[0]}.vtkIOHDF")
+    mesh = pv.PolyData(POINTS)
+    mesh["radius"] = RADII
+    mesh.field_data["units"] = ["mm", "a longer text"]
+    writer = writer.vtkHDFWriter()
+    writer.SetInputData(mesh)
+    writer.SetFileName(str(tmp_path / "a.vtkhdf"))
+    assert writer.Write()
+    assert spherepacking.read(tmp_path / "a.vtkhdf").field_data["units"][1] == "a longer text"
+    data = (tmp_path / "a.vtkhdf").read_bytes()
+    whole = struct.pack("<Q", len("a longer text")) + b"a longer text"
+    assert data.count(whole) == 1
+    path = tmp_path / "b.vtkhdf"
+    path.write_bytes(data.replace(whole, struct.pack("<Q", size) + whole[8:]))
+    with pytest.raises(spherepacking.PackingFileError, match=r"b\.vtkhdf: found texts at byte \d+"):
+        spherepacking.read(path)
+
+
+@pytest.mark.parametrize("version", [b"18446744073709551616.1", b"5", b"x"])
+def test_versions_that_vtk_cannot_read(tmp_path, version):
+    text = legacy(tmp_path / "a.vtk", True)
+    (tmp_path / "b.vtk").write_bytes(text.replace(b"4.2", version))
+    with pytest.raises(spherepacking.PackingFileError, match=r"b\.vtk, line 1: found '# vtk D"):
+        spherepacking.read(tmp_path / "b.vtk")

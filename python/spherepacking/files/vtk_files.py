@@ -17,6 +17,7 @@ from ..radii import radius_name_in
 from .errors import PackingFileError
 from .source import Request, finished
 from .vtk_counts import check_counts
+from .vtk_hdf import check_heaps
 from .vtk_legacy import check_legacy
 
 if TYPE_CHECKING:
@@ -135,7 +136,9 @@ def _check(path: Path, above: tuple[Path, ...]) -> None:
     extension = path.suffix.lower()
     if extension == ".vtk":
         check_legacy(path)
-    elif extension in EXTENSIONS and extension != ".vtkhdf":
+    elif extension == ".vtkhdf":
+        check_heaps(path)
+    elif extension in EXTENSIONS:
         below = (*above, path.resolve())
         for file in check_counts(path):
             if file.resolve() in below or len(below) > _DEEPEST:

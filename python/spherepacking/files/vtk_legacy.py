@@ -67,8 +67,13 @@ class _Walk:
 
     def __init__(self, path: Path, data: mmap.mmap) -> None:
         self._path, self._data = path, data
-        version = re.match(rb"# vtk DataFile Version\s+(\d+)", data)
-        self._offsets = version is not None and int(version[1]) >= 5
+        version = re.match(rb"# vtk DataFile Version\s+(\d)\.\d{1,2}\s", data)
+        if version is None:
+            raise PackingFileError(
+                f"{path}, line 1: found {data[:40].decode('ascii', 'replace')!r}, expected "
+                "'# vtk DataFile Version 3.0' or the like"
+            )
+        self._offsets = int(version[1]) >= 5
         title = data.find(b"\n", data.find(b"\n") + 1)
         self._at = title + 1 if title > 0 else len(data)
         self._binary = False
