@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from numbers import Integral
+from numbers import Integral, Real
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -174,16 +174,23 @@ def given_radii(packing: pv.PolyData, radius: RadiusLike) -> np.ndarray:
     return per_sphere("radius", values, packing.n_points)
 
 
+def _is_whole(key: object) -> bool:
+    """Whether a key is a whole number, of whatever type."""
+    if isinstance(key, bool) or not isinstance(key, Real):
+        return False
+    return isinstance(key, Integral) or float(key).is_integer()
+
+
 def _by_type(packing: pv.PolyData, radius: Mapping[int, float] | Mapping[str, float]) -> np.ndarray:
     """Radii (n,) from one per type."""
     if not packing.n_points:
         return np.empty(0)
-    numbers = [key for key in radius if isinstance(key, Integral) and not isinstance(key, bool)]
+    numbers = [key for key in radius if _is_whole(key)]
     texts = [key for key in radius if isinstance(key, str)]
     if not radius or (len(numbers) < len(radius) and len(texts) < len(radius)):
         raise TypeError(
-            f"radius: found the keys {', '.join(map(repr, radius)) or '(none)'}, expected numbers "
-            "or texts that are types"
+            f"radius: found the keys {', '.join(map(repr, radius)) or '(none)'}, expected "
+            "whole numbers or texts that are types"
         )
     candidates = _type_arrays(packing, texts)
     if not candidates:
