@@ -9,7 +9,8 @@ import pyvista as pv
 
 from .checks import kind_of
 from .packing import check_radii, no_such_array
-from .radii import given_radii, holds_diameters, radii_from, radius_name_in
+from .radii import given_radii, radii_from, radius_name_in
+from .size_names import diameters_in
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -149,7 +150,7 @@ def _is_plain(packing: pv.PolyData, name: str) -> bool:
     array = packing.GetPointData().GetAbstractArray(name)
     if array is None:
         return name not in packing.cell_data
-    return array.GetNumberOfComponents() == 1 and not holds_diameters(name)
+    return array.GetNumberOfComponents() == 1 and diameters_in(name) == "no"
 
 
 # --- points of datasets ---------------------------------------------------------------------------
