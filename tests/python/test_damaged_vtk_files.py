@@ -328,3 +328,10 @@ def test_versions_that_vtk_cannot_read(tmp_path, version):
     (tmp_path / "b.vtk").write_bytes(text.replace(b"4.2", version))
     with pytest.raises(spherepacking.PackingFileError, match=r"b\.vtk, line 1: found '# vtk D"):
         spherepacking.read(tmp_path / "b.vtk")
+
+
+def test_a_version_with_a_full_stop(tmp_path):
+    """YADE writes one."""
+    text = legacy(tmp_path / "a.vtk", False)
+    (tmp_path / "b.vtk").write_bytes(text.replace(b"4.2", b"4.2."))
+    assert spherepacking.read(tmp_path / "b.vtk")["radius"].tolist() == RADII.tolist()

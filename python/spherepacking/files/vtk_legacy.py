@@ -67,7 +67,7 @@ class _Walk:
 
     def __init__(self, path: Path, data: mmap.mmap) -> None:
         self._path, self._data = path, data
-        version = re.match(rb"# vtk DataFile Version\s+(\d)\.\d{1,2}\s", data)
+        version = re.match(rb"# vtk DataFile Version\s+(\d)\.\d{1,2}(?!\d)", data)
         if version is None:
             raise PackingFileError(
                 f"{path}, line 1: found {data[:40].decode('ascii', 'replace')!r}, expected "
