@@ -335,3 +335,22 @@ def test_a_version_with_a_full_stop(tmp_path):
     text = legacy(tmp_path / "a.vtk", False)
     (tmp_path / "b.vtk").write_bytes(text.replace(b"4.2", b"4.2."))
     assert spherepacking.read(tmp_path / "b.vtk")["radius"].tolist() == RADII.tolist()
+
+
+def test_blanks_hold_no_number(tmp_path):
+    """Even where nothing says how many there are."""
+    mesh = pv.PolyData(POINTS)
+    mesh["radius"] = RADII
+    mesh.save(tmp_path / "a.vtp", binary=False)
+    text = (tmp_path / "a.vtp").read_text()
+    blank, count = re.subn(r'(Name="radius"[^>]*>)[^<]*<', r"\1  \n <", text)
+    assert count == 1
+    (tmp_path / "b.vtp").write_text(blank)
+    with pytest.raises(
+        spherepacking.PackingFileError, match="'radius': found 0 values, expected 3"
+    ):
+        spherepacking.read(tmp_path / "b.vtp")
+    (tmp_path / "c.vtp").write_text(
+        text.replace("</PointData>", "</PointData>\n<CellData>\n</CellData>")
+    )
+    assert spherepacking.read(tmp_path / "c.vtp").n_points == 3

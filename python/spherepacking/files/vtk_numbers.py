@@ -64,22 +64,34 @@ def numbers(
     while left > 0 and begin < end:
         blank = _BLANK.search(data, begin + _CHUNK, end)
         chunk = data[begin : blank.end() if blank else end]
-        space = np.frombuffer(chunk, np.uint8) <= 32
-        first = np.flatnonzero(~space & np.concatenate([[True], space[:-1]]))
-        if first.size >= left:
-            match = _WORD.match(chunk, int(first[left - 1]))
-            chunk = chunk[: match.end()] if match else chunk
-        if first.size:
+        values = _values(chunk, kind)
+        if most is not None and (values is None or len(values) >= left):
+            # What follows is something else.
+            chunk = _first_words(chunk, left)
             values = _values(chunk, kind)
-            if values is None or len(values) != min(left, first.size):
-                raise _wrong_word(chunk, begin, kind)
+        if values is None:
+            raise _wrong_word(chunk, begin, kind)
+        if values.size:
             left -= len(values)
             yield begin + len(chunk), values
         begin += len(chunk)
 
 
+def _first_words(text: bytes, count: int) -> bytes:
+    """A text up to the end of so many words."""
+    space = np.frombuffer(text, np.uint8) <= 32
+    first = np.flatnonzero(~space & np.concatenate([[True], space[:-1]]))
+    if first.size < count:
+        return text
+    match = _WORD.match(text, int(first[count - 1]))
+    return text[: match.end()] if match else text
+
+
 def _values(text: bytes, kind: np.dtype[Any]) -> np.ndarray | None:
     """Numbers of a text; None if one of its words is none."""
+    if not text or text.isspace():
+        # NumPy finds a number in blanks.
+        return np.empty(0)
     unsigned = kind.kind == "u" and kind.itemsize == 8
     read_as = np.float64 if kind.kind == "f" else np.uint64 if unsigned else np.int64
     try:
@@ -100,6 +112,6 @@ def _wrong_word(text: bytes, begin: int, kind: np.dtype[Any]) -> NoNumber:
     """The error of the first word of a text that is no number."""
     for word in _WORD.finditer(text):
         values = _values(word[0], kind)
-        if values is None or len(values) != 1:
+        if values is None:
             return NoNumber(word[0], begin + word.start())
     return NoNumber(text[:30], begin)
