@@ -376,3 +376,71 @@ def test_pyvista_reads_other_files_by_extension(write, name):
     path = write(texts[name], name)
     for packing in (pv.read(path), spherepacking.read(path)):
         assert packing.n_points == 1 and packing["radius"].tolist() == [1]
+
+
+ROWS = """data_x
+loop_
+_atom_site.{}
+{}
+"""
+COLUMNS = {
+    "id": ("1", "2"),
+    "type_symbol": ("C", "N"),
+    "label_atom_id": ("CA", "N"),
+    "label_alt_id": (".", "."),
+    "label_comp_id": ("ALA", "GLY"),
+    "label_asym_id": ("A", "B"),
+    "Cartn_x": ("1.5", "4"),
+    "Cartn_y": ("2", "5"),
+    "Cartn_z": ("3", "6"),
+}
+
+
+def atoms_of(path, *absent):
+    columns = {name: values for name, values in COLUMNS.items() if name not in absent}
+    rows = "\n".join(" ".join(row) for row in zip(*columns.values(), strict=True))
+    path.write_text(ROWS.format("\n_atom_site.".join(columns), rows))
+    return spherepacking.read(path)
+
+
+@needs_gemmi
+@pytest.mark.parametrize(
+    "absent",
+    [
+        (),
+        ("id",),
+        ("label_alt_id",),
+        ("label_asym_id",),
+        ("label_atom_id", "label_comp_id"),
+        ("id", "label_alt_id", "label_asym_id", "label_atom_id", "label_comp_id"),
+    ],
+)
+def test_columns_that_mmcif_may_leave_out(tmp_path, absent):
+    packing = atoms_of(tmp_path / "a.cif", *absent)
+    assert packing.points.tolist() == [[1.5, 2, 3], [4, 5, 6]]
+    assert packing["element"].tolist() == ["C", "N"]
+    if "label_asym_id" not in absent:
+        assert packing["chain"].tolist() == ["A", "B"]
+
+
+@needs_gemmi
+def test_atoms_of_no_element(tmp_path):
+    with pytest.raises(
+        spherepacking.PackingFileError, match=r"a\.cif: found no _atom_site\.type_s"
+    ):
+        atoms_of(tmp_path / "a.cif", "type_symbol")
+
+
+@needs_gemmi
+def test_an_incomplete_cell_is_one_sentence(tmp_path):
+    path = tmp_path / "a.cif"
+    path.write_text(
+        "data_x\n_cell_length_a 10\nloop_\n_atom_site_label\n_atom_site_fract_x\n"
+        "_atom_site_fract_y\n_atom_site_fract_z\nC1 0.1 0.2 0.3\n"
+    )
+    with pytest.raises(spherepacking.PackingFileError) as caught:
+        spherepacking.read(path)
+    assert str(caught.value) == (
+        f"{path}: found no _cell_length_b, expected the whole cell that the coordinates are "
+        "fractions of"
+    )

@@ -96,8 +96,8 @@ class _PlainFile:
         self._reader.precision = request.precision
         self._reader.reader.SetColumns(request.columns or "")
         self._reader.reader.SetRadiusOptional(request.radius is not None)
-        # The file's own, while those of VTK are indices where these do not increase.
-        self._has_steps = bool(self._reader.time_values)
+        # The file's own, NaN where a step has none.
+        self._has_steps = self._reader.number_time_points > 0
         self.times: list[float] = pv.convert_array(self._reader.reader.GetStepTimes()).tolist()
 
     def read(self, index: int) -> pv.PolyData:
