@@ -8,7 +8,7 @@ import pytest
 import pyvista as pv
 import spherepacking
 from spherepacking.backend import vtkSpherePackingTiles, vtkSpherePackingWindowCheck
-from spherepacking.checks import half_of_memory
+from spherepacking.checks import LARGEST_DRAWN_SIDE, half_of_memory
 from spherepacking.cli import techniques
 from spherepacking.draw import picture
 from spherepacking.files.image import read_image
@@ -245,7 +245,7 @@ def test_a_view_that_cannot_be_divided(tiles, tmp_path):
 _TOO_LARGE = """
 import sys
 import pyvista as pv, spherepacking
-from spherepacking.checks import half_of_memory
+from spherepacking.checks import LARGEST_DRAWN_SIDE, half_of_memory
 from spherepacking.cli import techniques
 from spherepacking.draw import picture
 picture._LARGEST_PIECE = 10**6
@@ -361,3 +361,19 @@ def test_a_window_that_is_too_large_is_not_shown(tmp_path):
             off_screen=True, window_size=(5000, 20), screenshot=tmp_path / "a.png"
         )
     assert not (tmp_path / "a.png").exists()
+
+
+def test_a_live_picture_that_is_no_texture(monkeypatch, tmp_path):
+    """It would be drawn as nothing; it is refused before it is traced."""
+    plotter = pv.Plotter(off_screen=True, window_size=(40, 30))
+    try:
+        plotter.packing.path_trace(spherepacking.apollonian(2), samples=1)
+        largest = vtkSpherePackingWindowCheck.GetLargestSide(plotter.render_window)
+        if largest >= LARGEST_DRAWN_SIDE:
+            pytest.skip("OpenGL has textures of any size that is drawn")
+        with pytest.raises(RuntimeError, match=rf"cannot be traced: .* at most {largest} pixels"):
+            plotter.packing.screenshot(tmp_path / "a.png", window_size=(largest + 1, 2))
+        assert not (tmp_path / "a.png").exists()
+        assert plotter.packing.screenshot(tmp_path / "a.png").std() > 5
+    finally:
+        plotter.close()
