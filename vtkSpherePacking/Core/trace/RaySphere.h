@@ -96,10 +96,11 @@ inline auto IsOnSurface(const Real (&f)[3], const Sphere& sphere)
 
 /// The least t > 0 at which the ray through the origin along d meets the sphere, whose centre is f
 /// from there, else NoHit. A ray that starts on the surface does not meet it there: outwards it
-/// misses the sphere, inwards it meets its far side.
+/// misses the sphere, inwards it meets its far side. `mayStartThere` is false if it is known not
+/// to.
 template <typename Real>
-inline Real HitSphere(
-  const Real (&f)[3], const Sphere& sphere, const Real (&d)[3], const Real& inverseSquare)
+inline Real HitSphere(const Real (&f)[3], const Sphere& sphere, const Real (&d)[3],
+  const Real& inverseSquare, bool mayStartThere = true)
 {
   const Real miss = Real{} + NoHit;
   const Chord<Real> chord(f, d, inverseSquare);
@@ -115,7 +116,7 @@ inline Real HitSphere(
   const Real t = near > 0.0 ? near : far;
   Real ahead = t > 0.0 ? t : miss;
   // From a surface, hits within a thousandth of the radius are in doubt; others are rare.
-  if (Any(t * t < 0x1p-20 * (sphere.R * sphere.R) * inverseSquare))
+  if (mayStartThere && Any(t * t < 0x1p-20 * (sphere.R * sphere.R) * inverseSquare))
   {
     ahead = IsOnSurface(f, sphere) ? (chord.T0 > 0.0 ? far : miss) : ahead;
   }
