@@ -19,9 +19,9 @@ LARGEST = 2000
 def texts_of(path):
     """Yield the texts of a Python file that may be the content of a packing's."""
     for node in ast.walk(ast.parse(path.read_text())):
-        if isinstance(node, ast.Constant) and isinstance(node.value, str):
-            if "\n" in node.value and any(c.isdigit() for c in node.value):
-                yield node.value.encode()
+        text = node.value if isinstance(node, ast.Constant) else None
+        if isinstance(text, str) and "\n" in text and any(c.isdigit() for c in text):
+            yield text.encode()
 
 
 def inputs():

@@ -1,7 +1,7 @@
 """Any arguments to any public call: a result, or one exception that says what was wrong.
 
-Each example is a good call of which up to three arguments are replaced. SPHEREPACKING_CALLS says how
-many examples there are; by default as many as take about a minute.
+Each example is a good call of which up to three arguments are replaced. SPHEREPACKING_CALLS says
+how many examples there are; by default as many as take about a minute.
 """
 
 import os
@@ -12,8 +12,8 @@ import pyvista as pv
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-EXAMPLES = int(os.environ.get("SPHEREPACKING_CALLS", "3000"))
-LONGEST_MESSAGE = 2000
+EXAMPLES = int(os.environ.get("SPHEREPACKING_CALLS", "4000"))
+LONGEST_MESSAGE = 300
 
 CAMERA = [(0.0, 0.0, 9.0), (0.0, 0.0, 0.0), (0.0, 1.0, 0.0)]
 LOOK = {
@@ -56,7 +56,7 @@ CALLS = {
         "seed": [0, 7],
         "time_budget": [None, 0.01],
         "noise_target": [None, 0.5],
-        "min_samples": [1, 16],
+        "min_samples": [2, 16],
         "exposure": [0.0, 1.0],
         "filmic": [False, True],
         "preview": [False],
@@ -72,7 +72,7 @@ CALLS = {
     },
     "metaballs": {"threshold": [1.0], **FIELD, "coloring": ["blend", None]},
     "bvh_boxes": {"radius": [None, 0.5]},
-    "grid_boxes": {"cuts": [None, 3], "radius": [None, 0.5]},
+    "grid_boxes": {"cuts": [0, 3], "radius": [None, 0.5]},
     "contacts": {"gap": [0.0, 0.1], "periodic": [None, False], "radius": [None, 0.5]},
     "replicate": {"nx": [1, 2], "ny": [1], "nz": [1, 3]},
     "ghosts": {"radius": [None]},
@@ -122,7 +122,7 @@ ODD = [
     {"a"},
     object(),
     len,
-    pv.Camera(),
+    pv.Camera,
     pv.PolyData(),
     1e6,
     (1e20, 0, 0),
@@ -161,10 +161,11 @@ def calls(draw):
 
 def check_message(error, arguments):
     """Assert that an exception is a sentence for a user."""
-    message = str(error)
-    assert message, f"{error!r} of {arguments}"
+    message = error.args[0]
+    names = (*arguments, "packing", "cell_vectors", "nx, ny, nz")
+    assert message.startswith(tuple(f"{name}: " for name in names)), f"{error!r} of {arguments}"
     assert len(message) <= LONGEST_MESSAGE, message
-    assert all(c.isprintable() or c == "\n" for c in message), repr(message)
+    assert message.isprintable(), repr(message)
 
 
 @settings(max_examples=EXAMPLES, suppress_health_check=list(HealthCheck), database=None)
@@ -176,8 +177,12 @@ def test_any_arguments(call):
     function = getattr(packing.packing, name)
     with warnings.catch_warnings():
         warnings.simplefilter("error")
+        # That a surface is empty is no error.
+        warnings.filterwarnings("ignore", "metaballs: the threshold", UserWarning)
         try:
             function(**arguments)
-        except (TypeError, ValueError, KeyError, MemoryError) as error:
+        except (TypeError, ValueError, KeyError) as error:
             check_message(error, arguments)
+        except OSError as error:
+            assert "no such file" in str(error) or "cannot be read" in str(error)  # of a sky
     assert packing == before
