@@ -133,8 +133,9 @@ def sun_of(sun: Sun | Sequence[float] | None) -> Sun | None:
 def _radiance_of(name: str, value: ArrayLike) -> tuple[float, float, float]:
     low, high = RADIANCE_LIMITS
     found = numbers_of(value)
-    known = found is not None and found.shape in ((), (1,), (3,))
-    values = np.broadcast_to(found, 3) if known else np.full(3, np.nan)
+    values = np.full(3, np.nan)
+    if found is not None and found.shape in ((), (1,), (3,)):
+        values = np.broadcast_to(found, 3)
     if not ((values >= low) & (values <= high)).all():
         raise ValueError(
             f"{name}: found {shown(value)}, "
