@@ -461,15 +461,17 @@ class PackingComponent(GranularOfPlotter, MetaballsOfPlotter):
         scale : int, default: 1
             How many times as large as usual texts are.
 
-        Yields
-        ------
-        numpy.ndarray
-            Pixels (rows, width, 3 or 4), uint8, the upper row first.
+        Returns
+        -------
+        iterator of numpy.ndarray
+            Pixels (rows, width, 3 or 4), uint8, the upper row first, of one strip after the other.
 
         Raises
         ------
         RuntimeError
             If the spheres cannot be drawn in this view.
+        TypeError, ValueError
+            If an argument is invalid; at once, not with the first strip.
 
         Examples
         --------
@@ -481,6 +483,15 @@ class PackingComponent(GranularOfPlotter, MetaballsOfPlotter):
         [(200, 300, 3)]
         >>> plotter.close()
         """
+        size = checks.size_of("size", size, most=checks.LARGEST_DRAWN_SIDE)
+        transparent = checks.flag_of("transparent", transparent)
+        scale = checks.count_of("scale", scale)
+        if size[0] % scale or size[1] % scale:
+            raise ValueError(f"size: found {size[0]} x {size[1]}, expected multiples of {scale}")
+        return self._strips(size, transparent, scale)
+
+    def _strips(self, size: tuple[int, int], transparent: bool, scale: int) -> Iterator[np.ndarray]:
+        """Draw the view strip by strip, and say what is wrong with the spheres, if that is it."""
         from .draw.picture import strips
 
         try:

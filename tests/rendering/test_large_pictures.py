@@ -10,6 +10,7 @@ import spherepacking
 from spherepacking.backend import vtkSpherePackingTiles, vtkSpherePackingWindowCheck
 from spherepacking.checks import LARGEST_DRAWN_SIDE, half_of_memory
 from spherepacking.cli import techniques
+from spherepacking.cli.main import main
 from spherepacking.draw import picture
 from spherepacking.files.image import read_image
 
@@ -247,6 +248,7 @@ import sys
 import pyvista as pv, spherepacking
 from spherepacking.checks import LARGEST_DRAWN_SIDE, half_of_memory
 from spherepacking.cli import techniques
+from spherepacking.cli.main import main
 from spherepacking.draw import picture
 picture._LARGEST_PIECE = 10**6
 plotter = pv.Plotter(off_screen=True, window_size=(20000, 4))
@@ -375,5 +377,35 @@ def test_a_live_picture_that_is_no_texture(monkeypatch, tmp_path):
             plotter.packing.screenshot(tmp_path / "a.png", window_size=(largest + 1, 2))
         assert not (tmp_path / "a.png").exists()
         assert plotter.packing.screenshot(tmp_path / "a.png").std() > 5
+    finally:
+        plotter.close()
+
+
+def test_the_command_says_that_it_cannot_draw(monkeypatch, tmp_path, capsys):
+    spherepacking.write(spherepacking.apollonian(2), tmp_path / "a.spheres")
+    monkeypatch.setattr(picture, "_LARGEST_PIECE", 10**6)
+    monkeypatch.setattr(picture, "_largest_side", lambda window: 10**6)
+    arguments = ["render", str(tmp_path / "a.spheres"), "-o", str(tmp_path / "a.png")]
+    assert main([*arguments, "--size", "20000", "4"]) == 2
+    said = capsys.readouterr().err.splitlines()[-1]
+    assert said.startswith("spherepacking: the picture cannot be drawn: ")
+    assert not (tmp_path / "a.png").exists()
+
+
+@pytest.mark.parametrize(
+    ("arguments", "found"),
+    [
+        (((0, 10), False), "size: found 0"),
+        (((40000, 10), False), "size: found 40000"),
+        (((10, 10), 1), "transparent: found 1"),
+        (((10, 10), True, 0), "scale: found 0"),
+        (((10, 11), True, 2), "size: found 10 x 11, expected multiples of 2"),
+    ],
+)
+def test_wrong_arguments_of_strips(arguments, found):
+    plotter = pv.Plotter(off_screen=True, window_size=(40, 30))
+    try:
+        with pytest.raises((TypeError, ValueError), match=found):
+            plotter.packing.strips(*arguments)
     finally:
         plotter.close()

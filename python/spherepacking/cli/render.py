@@ -132,7 +132,10 @@ def _save(plotter: pv.Plotter, options: RenderOptions) -> None:
     width, height = options.size
     strips = plotter.packing.strips(options.size, options.transparent)
     shape = (height, width, 4 if options.transparent else 3)
-    write_strips(options.output, shape, np.dtype(np.uint8), strips)
+    try:
+        write_strips(options.output, shape, np.dtype(np.uint8), strips)
+    except RuntimeError as error:  # that it cannot be drawn
+        raise ValueError(str(error)) from None
 
 
 def _check(options: RenderOptions) -> None:
