@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import closing
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -10,7 +11,7 @@ from . import checks
 
 if TYPE_CHECKING:
     import os
-    from collections.abc import Iterator
+    from collections.abc import Generator
 
     import pyvista as pv
 
@@ -74,9 +75,10 @@ class PicturesOfPlotter:
         check_drawn_size("window_size", size, channels, whole=True)
         pixels = np.empty((size[1], size[0], channels), np.uint8)
         row = 0
-        for strip in self.strips(size, transparent_background, factor):
-            pixels[row : row + len(strip)] = strip
-            row += len(strip)
+        with closing(self.strips(size, transparent_background, factor)) as strips:
+            for strip in strips:
+                pixels[row : row + len(strip)] = strip
+                row += len(strip)
         write_image(filename, pixels)
         return pixels
 
@@ -95,7 +97,7 @@ class PicturesOfPlotter:
 
     def strips(
         self, size: tuple[int, int], transparent: bool, scale: int = 1
-    ) -> Iterator[np.ndarray]:
+    ) -> Generator[np.ndarray]:
         """Draw the view strip by strip from the top, as :meth:`screenshot` saves it.
 
         For pictures that do not fit into memory.
@@ -111,8 +113,9 @@ class PicturesOfPlotter:
 
         Returns
         -------
-        iterator of numpy.ndarray
+        generator of numpy.ndarray
             Pixels (rows, width, 3 or 4), uint8, the upper row first, of one strip after the other.
+            The plotter is as it was when the generator ends or is closed.
 
         Raises
         ------
@@ -138,14 +141,18 @@ class PicturesOfPlotter:
             raise ValueError(f"size: found {size[0]} x {size[1]}, expected multiples of {scale}")
         return self._strips(size, transparent, scale)
 
-    def _strips(self, size: tuple[int, int], transparent: bool, scale: int) -> Iterator[np.ndarray]:
+    def _strips(
+        self, size: tuple[int, int], transparent: bool, scale: int
+    ) -> Generator[np.ndarray]:
         """Draw the view strip by strip, and say what is wrong with the spheres, if that is it."""
         from .draw.picture import strips
 
         try:
-            for strip in strips(self.plotter, size, transparent=transparent, scale=scale):
-                self._check_drawn()
-                yield strip
+            drawn = strips(self.plotter, size, transparent=transparent, scale=scale)
+            with closing(drawn):
+                for strip in drawn:
+                    self._check_drawn()
+                    yield strip
         except RuntimeError:
             self._check_drawn()  # which knows better what is wrong
             raise

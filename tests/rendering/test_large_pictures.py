@@ -409,3 +409,17 @@ def test_wrong_arguments_of_strips(arguments, found):
             plotter.packing.strips(*arguments)
     finally:
         plotter.close()
+
+
+def test_a_picture_that_is_given_up(tiles):
+    plotter = pv.Plotter(off_screen=True, window_size=(300, 280))
+    try:
+        plotter.packing.add(spherepacking.apollonian(3))
+        strips = plotter.packing.strips((900, 840), False)
+        next(strips)
+        strips.close()
+        assert tuple(plotter.window_size) == (300, 280)
+        assert plotter.renderer.GetViewport() == (0, 0, 1, 1)
+        assert plotter.renderer.GetDraw()
+    finally:
+        plotter.close()

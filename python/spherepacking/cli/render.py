@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import closing
 from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, Any
@@ -133,7 +134,8 @@ def _save(plotter: pv.Plotter, options: RenderOptions) -> None:
     strips = plotter.packing.strips(options.size, options.transparent)
     shape = (height, width, 4 if options.transparent else 3)
     try:
-        write_strips(options.output, shape, np.dtype(np.uint8), strips)
+        with closing(strips):
+            write_strips(options.output, shape, np.dtype(np.uint8), strips)
     except RuntimeError as error:  # that it cannot be drawn
         raise ValueError(str(error)) from None
 

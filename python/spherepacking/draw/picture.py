@@ -12,7 +12,7 @@ from ..checks import LARGEST_DRAWN_SIDE, half_of_memory
 from ..vtk_tools import window_of
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
+    from collections.abc import Generator, Iterator, Sequence
 
     from ..backend import vtkRenderWindow
 
@@ -109,7 +109,7 @@ def check_one_piece(plotter: pv.BasePlotter, window_size: Sequence[int] | None) 
 
 def strips(
     plotter: pv.BasePlotter, size: tuple[int, int], *, transparent: bool, scale: int = 1
-) -> Iterator[np.ndarray]:
+) -> Generator[np.ndarray]:
     """Draw a plotter's view, strip by strip from the top.
 
     Pictures that are too large for one framebuffer are drawn in tiles. A view looks as if it was
@@ -119,7 +119,7 @@ def strips(
     Parameters
     ----------
     plotter : pyvista.BasePlotter
-        The plotter; it is as it was when the last strip has been taken.
+        The plotter; it is as it was when the generator ends or is closed.
     size : tuple[int, int]
         Width and height in pixels.
     transparent : bool
@@ -196,7 +196,7 @@ def _in_tiles(
     scale: int,
     tile: int,
     step: int,
-) -> Iterator[np.ndarray]:
+) -> Generator[np.ndarray]:
     """Draw rows of tiles."""
     from ..backend import vtkSpherePackingTiles
 
