@@ -72,7 +72,7 @@ class PicturesOfPlotter:
             transparent_background = bool(self.plotter.theme.transparent_background)
         factor, size = self._drawn_size(window_size, scale)
         channels = 4 if transparent_background else 3
-        check_drawn_size("window_size", size, channels, whole=True)
+        check_drawn_size("window_size", size, channels)
         pixels = np.empty((size[1], size[0], channels), np.uint8)
         row = 0
         with closing(self.strips(size, transparent_background, factor)) as strips:

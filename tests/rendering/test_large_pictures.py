@@ -423,3 +423,21 @@ def test_a_picture_that_is_given_up(tiles):
         assert plotter.renderer.GetDraw()
     finally:
         plotter.close()
+
+
+def test_a_picture_that_fills_the_memory(monkeypatch, tmp_path):
+    plotter = pv.Plotter(off_screen=True, window_size=(300, 280))
+    try:
+        plotter.packing.add(spherepacking.apollonian(2))
+        monkeypatch.setattr(picture, "half_of_memory", lambda: 10**6)
+        with pytest.raises(
+            ValueError, match=r"window_size: found 800 x 500, .* at most 333333 pix"
+        ):
+            plotter.packing.screenshot(tmp_path / "a.png", window_size=(800, 500))
+        with pytest.raises(ValueError, match=r"at most 250000 pixels"):
+            plotter.packing.screenshot(
+                tmp_path / "a.png", window_size=(400, 250), scale=2, transparent_background=True
+            )
+        assert not (tmp_path / "a.png").exists()
+    finally:
+        plotter.close()

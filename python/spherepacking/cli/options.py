@@ -64,7 +64,7 @@ class RenderOptions:
     cell
         Draw the edges of the simulation cell, which the file must have.
     size
-        Width and height of the picture in pixels.
+        Width and height of the picture in pixels, up to 32768 each.
     camera
         Position of the camera; by default the packing fills the picture, seen along (-1, -1, -1).
     focal

@@ -22,8 +22,8 @@ if TYPE_CHECKING:
     from .options import RenderOptions
 
 
-_STRIP_PIXELS = 2**25
-"""Pixels whose rays are cast at a time, which takes 1 GB."""
+_STRIP_PIXELS = 2**23
+"""Pixels whose rays are cast at a time, which takes less than 1 GB."""
 
 
 def add_boxes(plotter: pv.Plotter, packing: pv.PolyData, options: RenderOptions) -> pv.PolyData:

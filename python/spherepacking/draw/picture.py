@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pyvista as pv
 
-from ..checks import LARGEST_DRAWN_SIDE, half_of_memory
+from ..checks import half_of_memory
 from ..vtk_tools import window_of
 
 if TYPE_CHECKING:
@@ -61,30 +61,23 @@ def drawing_checked(window: vtkRenderWindow) -> Iterator[None]:
         raise RuntimeError(f"the picture cannot be drawn: {problem}")
 
 
-def check_drawn_size(name: str, size: tuple[int, int], channels: int, *, whole: bool) -> None:
-    """Raise a ValueError unless a picture of that size can be drawn, before anything is.
+def check_drawn_size(name: str, size: tuple[int, int], channels: int) -> None:
+    """Raise a ValueError unless half of the memory holds a picture, before it is drawn.
 
     Parameters
     ----------
     name : str
         What to call the size.
     size : tuple[int, int]
-        Width and height in pixels, each of which may be drawn by itself.
+        Width and height in pixels.
     channels : int
         Bytes of a pixel.
-    whole : bool
-        Whether the picture is to be in memory as a whole.
     """
-    room = half_of_memory()
-    if whole and size[0] * size[1] * channels > room:
+    room = half_of_memory() // channels
+    if size[0] * size[1] > room:
         raise ValueError(
             f"{name}: found {size[0]} x {size[1]}, which takes more than half of the memory, "
-            f"expected at most {room // channels} pixels"
-        )
-    if max(size) > LARGEST_DRAWN_SIDE:
-        raise ValueError(
-            f"{name}: found {size[0]} x {size[1]}, expected at most {LARGEST_DRAWN_SIDE} pixels "
-            "along a side"
+            f"expected at most {room} pixels"
         )
 
 
