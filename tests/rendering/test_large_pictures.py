@@ -230,16 +230,34 @@ def test_the_plotter_is_as_it_was(tiles, tmp_path):
         plotter.close()
 
 
-def test_a_view_that_cannot_be_divided(tiles, tmp_path):
+@pytest.mark.parametrize("kind", ["off-axis", "stereo"])
+def test_a_view_that_cannot_be_divided(kind, tiles, tmp_path):
     plotter = pv.Plotter(off_screen=True, window_size=(300, 200))
     try:
         plotter.packing.add(spherepacking.apollonian(3))
-        plotter.camera.SetUseOffAxisProjection(True)
-        with pytest.raises(RuntimeError, match=r"off-axis projection, expected .* at most 250 pix"):
+        if kind == "off-axis":
+            plotter.camera.SetUseOffAxisProjection(True)
+        else:
+            plotter.render_window.StereoRenderOn()
+        with pytest.raises(
+            RuntimeError, match=r"off-axis projection or .*, expected .* most 250 p"
+        ):
             plotter.packing.screenshot(tmp_path / "a.png")
     finally:
         plotter.close()
     assert not (tmp_path / "a.png").exists()
+
+
+def test_no_picture_is_begun():
+    tiles = vtkSpherePackingTiles()
+    assert not tiles.Begin(None, (10, 10), (5, 5), 1)
+    plotter = pv.Plotter(off_screen=True, window_size=(30, 20))
+    try:
+        for numbers in (((0, 9), (5, 5), 1), ((9, 9), (5, -1), 1), ((9, 9), (5, 5), 0)):
+            assert not tiles.Begin(plotter.render_window, *numbers)
+        assert tuple(plotter.window_size) == (30, 20)
+    finally:
+        plotter.close()
 
 
 # Such a picture was black, and no error.

@@ -226,6 +226,11 @@ bool vtkSpherePackingTiles::Begin(
   vtkRenderWindow* window, const int size[2], const int tile[2], int scale)
 {
   this->End();
+  if (!window || window->GetStereoRender() || std::min(size[0], size[1]) < 1 ||
+    std::min(tile[0], tile[1]) < 1 || scale < 1)
+  {
+    return false;
+  }
   vtkRendererCollection* renderers = window->GetRenderers();
   vtkCollectionSimpleIterator next;
   renderers->InitTraversal(next);

@@ -31,8 +31,8 @@ public:
   /**
    * Start a picture of `size` pixels in the window, whose own size becomes `tile`. Texts are
    * `scale` times as large as they would be in a window of that size. Returns false, and changes
-   * nothing, if a renderer's view cannot be divided: one that is set by the corners of a screen
-   * (off-axis projection).
+   * nothing, if the view cannot be divided: that of a window in stereo, or of a camera that is set
+   * by the corners of a screen (off-axis projection); and for numbers below 1.
    */
   bool Begin(vtkRenderWindow* window, const int size[2], const int tile[2], int scale);
 

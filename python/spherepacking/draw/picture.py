@@ -199,8 +199,8 @@ def _in_tiles(
     tiles = vtkSpherePackingTiles()
     if not tiles.Begin(window, size, sides, scale):
         raise RuntimeError(
-            "the picture cannot be drawn: found a camera with an off-axis projection, expected "
-            f"another one, or at most {_piece(window)} pixels along a side"
+            "the picture cannot be drawn: found a camera with an off-axis projection or a window "
+            f"in stereo, expected neither, or at most {_piece(window)} pixels along a side"
         )
     try:
         # Places the cameras of a scene that has not been shown, for a window of the picture's size.
