@@ -130,8 +130,9 @@ class TestTimes:
             "0.5 1.5 2.5 0.5 9\n",
             "0.0 1.5 2.5 3.5\n0.0 1.25 2 3\n0.1 1.5 2 3\n0.1 1.25 2 3\n",
             "# x y z r and a label\n" + TIMES,
+            "0.5 1 2 3 9\n0.5 1 2 3 8\n",
         ],
-        ids=["falls", "all differ", "a sign", "one row", "four columns", "named"],
+        ids=["falls", "all differ", "a sign", "one row", "four columns", "named", "one place"],
     )
     def test_coordinates(self, read_text, text):
         rows = [[float(f) for f in row.split()] for row in text.splitlines() if row[0] != "#"]

@@ -181,18 +181,22 @@ void CheckNumbers(const TextRange& text, const TableLayout& layout, const Packin
 }
 
 // Throws if x never falls and a third of the rows or more repeat it, as the times of a simulation
-// do. Whole numbers are looked at as ids are, and no time is negative. The price is a lattice that
-// is sorted by x.
+// do. Whole numbers are looked at as ids are, no time is negative, and times would not leave all
+// spheres in one place. The price is a lattice that is sorted by x.
 template <typename Real>
 void CheckTimes(const TextRange& text, const TableLayout& layout, const PackingArrays& arrays)
 {
   const vtkIdType count = arrays.GetCount();
   const Real* const centers = arrays.Centers<Real>();
   vtkIdType repeated = 0;
+  const Real* const radii = HasRadius(layout.Columns) ? arrays.Radii<Real>() : nullptr;
   bool whole = true;
+  bool onePlace = radii != nullptr;
   for (vtkIdType i = 0; i < count; ++i)
   {
     const Real x = centers[3 * i];
+    onePlace = onePlace && radii[i] == radii[0] && centers[3 * i + 1] == centers[1] &&
+      centers[3 * i + 2] == centers[2];
     const Real before = i > 0 ? centers[3 * (i - 1)] : Real(0);
     if (!(x >= before))
     {
@@ -201,7 +205,7 @@ void CheckTimes(const TextRange& text, const TableLayout& layout, const PackingA
     repeated += i > 0 && x == before ? 1 : 0;
     whole &= x == std::floor(x);
   }
-  if (!whole && repeated > 0 && 3 * repeated >= count)
+  if (!whole && !onePlace && repeated > 0 && 3 * repeated >= count)
   {
     const TextRange row = FindRow(text);
     throw LineError(row.FirstLine,

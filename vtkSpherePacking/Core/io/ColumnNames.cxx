@@ -2,6 +2,7 @@
 #include "io/ColumnNames.h"
 
 #include "io/DiameterWords.h"
+#include "io/NameBrackets.h"
 #include "io/NameMeaning.h"
 #include "io/PackingFileError.h"
 #include "io/PrintableText.h"
@@ -64,6 +65,7 @@ public:
     {
       this->Complain(this->Rejected);
     }
+    this->CheckBrackets();
     this->SetNames();
     complaint = this->Complaint;
     return std::move(this->Columns);
@@ -236,6 +238,38 @@ private:
         ", expected one name for each column");
     }
     return true;
+  }
+
+  // What is in brackets may say that a number is no length, or one in another unit: "r (log10)".
+  void CheckBrackets()
+  {
+    const auto unknownOf = [&](std::size_t i) -> const std::string&
+    { return this->Meanings[i].Unknown; };
+    std::vector<std::size_t> sphere;
+    for (std::size_t i = 0; i < this->Columns.size(); ++i)
+    {
+      if (this->Columns[i].Role <= ColumnRole::Diameter)
+      {
+        sphere.push_back(i);
+      }
+    }
+    const bool shared = sphere.size() > 3 &&
+      std::all_of(sphere.begin(), sphere.end(),
+        [&](std::size_t i) { return unknownOf(i) == unknownOf(sphere[0]); });
+    for (const std::size_t i : sphere)
+    {
+      const std::string& unknown = unknownOf(i);
+      const bool isSize = this->Columns[i].Role > ColumnRole::Z;
+      const bool plain = IsPlainBracket(unknown) ||
+        MeaningOfName(unknown).What == this->Meanings[i].What; // radius (r)
+      if (!unknown.empty() &&
+        (IsNoLength(unknown) || (!shared && (IsScaled(unknown) || (isSize && !plain)))))
+      {
+        this->Complain("found " + QuoteName(this->Names[i]) +
+          ", whose bracket holds no unit of length that is known, expected one unit for "
+          "coordinates and radii");
+      }
+    }
   }
 
   void SetRole(const std::vector<std::size_t>& columns, ColumnRole role)

@@ -2,6 +2,7 @@
 #include "io/FitNames.h"
 
 #include "io/DiameterWords.h"
+#include "io/NameBrackets.h"
 #include "io/NameLists.h"
 #include "io/NameMeaning.h"
 #include "io/PackingFileError.h"
@@ -470,6 +471,12 @@ NamesFit FitNames(std::string_view line, std::size_t count, Radii radii)
   if (fit.What != NamesFit::NoNames && fit.Complaint.empty() && HasTwoUnits(line))
   {
     return TwoUnits(line);
+  }
+  if (const auto bracket = FindUnclearBracket(line); fit.What == NamesFit::Fits && !bracket.empty())
+  {
+    return { NamesFit::Unclear, {},
+      "found " + Quote(bracket.data(), bracket.data() + bracket.size()) +
+        " in a bracket behind a name, expected a unit of length, one for coordinates and radii" };
   }
   return fit;
 }

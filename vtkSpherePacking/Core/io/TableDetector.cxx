@@ -4,6 +4,7 @@
 #include "io/DiameterWords.h"
 #include "io/FitComments.h"
 #include "io/GivenColumns.h"
+#include "io/NameBrackets.h"
 #include "io/NameLists.h"
 #include "io/NameMeaning.h"
 #include "io/NamelessColumns.h"
@@ -207,7 +208,7 @@ private:
     }
     if (!complaint.empty())
     {
-      throw LineError(line.FirstLine, complaint);
+      throw LineError(line.FirstLine, complaint + ", or " + HintFor(names.size()));
     }
     this->Layout.Columns = *columns;
     for (std::size_t i = 1; components && i < 3; ++i)
@@ -271,7 +272,7 @@ private:
     }
     else if (!fit.Complaint.empty())
     {
-      throw LineError(header.FirstLine, fit.Complaint);
+      throw LineError(header.FirstLine, fit.Complaint + ", or " + HintFor(count));
     }
     else if (!this->TakeIndexedHeader(count))
     {
@@ -356,7 +357,7 @@ private:
       this->Layout.Named = Naming::None;
       return false;
     }
-    if (!fit.OneEach && !HasTwoUnits(View(fit.Line)))
+    if (!fit.OneEach && !HasTwoUnits(View(fit.Line)) && FindUnclearBracket(View(fit.Line)).empty())
     {
       this->Layout.Named = this->FirstFour(View(fit.Line), count);
       const auto forms = UsualForms(View(fit.Line), count);
