@@ -85,7 +85,9 @@ private:
     {
       has[meaning.What] = true;
     }
-    const bool color = has[NameMeaning::Green] && has[NameMeaning::Blue];
+    const bool color =
+      has[NameMeaning::Green] && has[NameMeaning::Blue] && !this->HasColorsInWords();
+    const std::string caseOfColors = this->CaseOfColors();
     const bool distance =
       this->By == NamesBy::File && (has[NameMeaning::PolarAngle] || has[NameMeaning::Azimuth]);
     if (!color && !distance)
@@ -95,7 +97,9 @@ private:
     for (std::size_t i = 0; i < this->Meanings.size(); ++i)
     {
       NameMeaning& meaning = this->Meanings[i];
-      const bool red = color && meaning.Unit.empty(); // no color has a unit
+      const bool red = color && meaning.Unit.empty() && // no color has a unit
+        (caseOfColors.empty() || this->Names[i] == caseOfColors);
+      const bool again = red && !this->Rejected.empty();
       if (meaning.What == NameMeaning::Radius && meaning.IsLetter && (red || distance))
       {
         this->Rejected = "found " + QuoteName(this->Names[i]) +
@@ -104,9 +108,39 @@ private:
                  "or phi") +
           ", expected a column radius or diameter, or radius=\"" + std::string(this->Names[i]) +
           "\" (--radius) if it is one";
+        this->Rejected = !again ? this->Rejected
+                                : "found the column " + QuoteName(this->Names[i]) +
+            " twice beside green and blue, expected a column radius or diameter beside red";
         meaning.What = NameMeaning::Other;
       }
     }
+  }
+
+  bool HasName(std::string_view name) const
+  {
+    return std::any_of(this->Names.begin(), this->Names.end(),
+      [name](std::string_view other)
+      {
+        return std::equal(other.begin(), other.end(), name.begin(), name.end(),
+          [](char a, char b) { return a == b || (a >= 'A' && a <= 'Z' && a - 'A' + 'a' == b); });
+      });
+  }
+
+  // Whether red is called so, beside green and blue, so that r is not red.
+  bool HasColorsInWords() const
+  {
+    return this->HasName("red") && this->HasName("green") && this->HasName("blue") &&
+      !(this->HasName("g") && this->HasName("b"));
+  }
+
+  // What red must be called where both r and R are there, of which g and b, or G and B, tell one.
+  std::string CaseOfColors() const
+  {
+    const auto has = [&](const char* name)
+    { return std::find(this->Names.begin(), this->Names.end(), name) != this->Names.end(); };
+    const bool small = has("r") && has("g") && has("b");
+    const bool large = has("R") && has("G") && has("B");
+    return !has("r") || !has("R") || small == large ? "" : small ? "r" : "R";
   }
 
   // The coordinates are those of the only family of names that has all three; x, y, z before
