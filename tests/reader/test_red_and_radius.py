@@ -25,7 +25,7 @@ def refused(read_error, tmp_path):
 )
 @pytest.mark.parametrize("plain", [False, True])
 def test_a_radius_beside_red(read_text, header, plain):
-    fields = "1.5,2,3,4,255,0,7".split(",")
+    fields = ["1.5", "2", "3", "4", "255", "0", "7"]
     if ",G," in header and "green" in header:
         fields.insert(5, "9")
     text = header + "\n" + ",".join(fields) + "\n"

@@ -6,6 +6,7 @@
 #include "io/NameLists.h"
 #include "io/NameMeaning.h"
 #include "io/PackingFileError.h"
+#include "io/RemarksOnOrder.h"
 #include "io/SplitNames.h"
 #include "io/TableLayout.h"
 #include "io/UnitsOfRemark.h"
@@ -317,12 +318,13 @@ NamesFit FitPosition(std::string_view line, std::size_t count, Radii radii)
   }
   Readings readings(count, radii);
   readings.TryWords(SplitNames(names, Between::Anything));
-  if (spelled.IsClear && readings.Fit())
+  if (spelled.IsClear && readings.Fit() && !SpeaksOfOtherOrder(line)) // "position (zyx)"
   {
     return UnitsOfRemark(line).size() > 1 ? TwoUnits(line) : readings.Result();
   }
   NamesFit fit;
-  fit.What = spelled.RadiusFollows ? NamesFit::NoNames : NamesFit::Unclear;
+  fit.What =
+    spelled.RadiusFollows && !SpeaksOfOtherOrder(line) ? NamesFit::NoNames : NamesFit::Unclear;
   return fit;
 }
 

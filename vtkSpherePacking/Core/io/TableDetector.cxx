@@ -9,6 +9,7 @@
 #include "io/NameMeaning.h"
 #include "io/NamelessColumns.h"
 #include "io/PackingFileError.h"
+#include "io/RemarksOnOrder.h"
 #include "io/RemarksOnSize.h"
 #include "io/SizeComponents.h"
 #include "io/TableHead.h"
@@ -425,7 +426,7 @@ private:
       (sphere.size() == words.size() || ColumnsFromNames(words, complaint)); // r may be red
     const bool atOnce = sphere.size() == 4 && sphere[3] == 3;
     if (AreNumbered(line) || sphere.size() < 3 || noRadius || lengths.size() > 1 ||
-      SpeaksOfDiameter(line))
+      SpeaksOfDiameter(line) || SpeaksOfOtherSize(line))
     {
       return Naming::All;
     }
@@ -437,10 +438,19 @@ private:
                                                               : Naming::All;
   }
 
-  // Throws if remarks before the rows or in the first say that the fourth column is no radius.
+  // Throws if remarks before the rows or in the first say that columns are in another order, or
+  // that the fourth is no radius.
   void CheckPlainRemarks(std::size_t count) const
   {
-    if (this->Layout.Named == Naming::FirstFour || this->RadiiAre == Radii::Optional)
+    if (this->Layout.Named == Naming::FirstFour)
+    {
+      return;
+    }
+    for (const TextRange& remark : this->Head.Comments)
+    {
+      CheckOrder(remark, count);
+    }
+    if (this->RadiiAre == Radii::Optional)
     {
       return;
     }
