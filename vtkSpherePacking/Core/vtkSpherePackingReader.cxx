@@ -122,6 +122,7 @@ void vtkSpherePackingReader::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Columns: " << (this->Columns ? this->Columns : "(none)") << "\n";
   os << indent << "RadiusOptional: " << this->RadiusOptional << "\n";
   os << indent << "ErrorMessage: " << this->ErrorMessage << "\n";
+  os << indent << "RadiusName: " << this->RadiusName << "\n";
 }
 
 //------------------------------------------------------------------------------
@@ -195,6 +196,7 @@ int vtkSpherePackingReader::RequestData(
 //------------------------------------------------------------------------------
 void vtkSpherePackingReader::ReadFile(vtkInformation* outInfo, vtkPolyData* output)
 {
+  this->RadiusName.clear();
   if (!this->FileName || !*this->FileName)
   {
     throw PackingFileError(
@@ -220,8 +222,15 @@ void vtkSpherePackingReader::ReadFile(vtkInformation* outInfo, vtkPolyData* outp
   }
   else
   {
-    ReadWhole(format, file, options, progress).MoveTo(output);
+    this->TakeArrays(ReadWhole(format, file, options, progress), output);
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkSpherePackingReader::TakeArrays(PackingArrays arrays, vtkPolyData* output)
+{
+  this->RadiusName = arrays.GetRadiusName();
+  arrays.MoveTo(output);
 }
 
 //------------------------------------------------------------------------------
@@ -240,6 +249,6 @@ void vtkSpherePackingReader::ReadStep(spherepacking::Format format, const std::s
   const auto read = format == Format::Dump ? ReadDump
     : format == Format::Xyz                ? ReadXyz
                                            : ReadMercury;
-  read(file, steps.Steps[chosen], options, progress).MoveTo(output);
+  this->TakeArrays(read(file, steps.Steps[chosen], options, progress), output);
   output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), steps.Values[chosen]);
 }

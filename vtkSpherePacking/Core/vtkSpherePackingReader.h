@@ -114,6 +114,7 @@
 
 namespace spherepacking
 {
+class PackingArrays;
 class Progress;
 enum class Format;
 struct ReadOptions;
@@ -217,6 +218,12 @@ public:
   vtkDoubleArray* GetStepTimes() const;
 
   /**
+   * What the file calls the column that has become the array `radius`, such as `d`, as of the last
+   * update; `radius` where it has no name, and empty where there are no radii.
+   */
+  const char* GetRadiusName() const { return this->RadiusName.c_str(); }
+
+  /**
    * The error of the last update, in one sentence; empty when there was none.
    */
   const char* GetErrorMessage() const { return this->ErrorMessage.c_str(); }
@@ -238,6 +245,7 @@ private:
   void ReadStep(spherepacking::Format format, const std::string& file,
     const spherepacking::ReadOptions& options, spherepacking::Progress& progress,
     vtkInformation* outInfo, vtkPolyData* output);
+  void TakeArrays(spherepacking::PackingArrays arrays, vtkPolyData* output);
   std::string OutOfMemory() const;
 
   char* FileName = nullptr;
@@ -247,6 +255,7 @@ private:
   char* Columns = nullptr;
   bool RadiusOptional = false;
   std::string ErrorMessage;
+  std::string RadiusName;
 
   class Internals;
   std::unique_ptr<Internals> Internal;

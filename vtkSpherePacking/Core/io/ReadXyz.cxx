@@ -268,6 +268,7 @@ void JoinComponents(PackingArrays& arrays, const std::string& name, bool areDiam
     }
     arrays.RemoveExtra(name + end);
   }
+  arrays.SetRadiusName(name);
 }
 
 // Plain XYZ: a species, x, y, z, and what nobody names.
