@@ -301,6 +301,11 @@ TableLayout ReadLayout(const FrameHead& head, const ReadOptions& options, std::s
   const TextRange rows = head.Lines.Rest();
   const auto row = FirstRow(rows);
   const auto properties = XyzComment(head.Lines.Line()).Properties();
+  if (properties && !options.Columns.empty())
+  {
+    throw ContentError("found names of columns for atoms whose Properties say what their columns "
+                       "are, expected none");
+  }
   if (properties)
   {
     constexpr std::size_t withoutAtoms = 1000;
