@@ -2,7 +2,7 @@
 
 import gzip
 import json
-import time
+from time import perf_counter, sleep
 
 import numpy as np
 import pytest
@@ -74,10 +74,10 @@ def seconds_per_step(steps):
     every = max(1, len(steps) // 50)
     found = []
     for _ in range(3):
-        start = time.perf_counter()
+        start = perf_counter()
         for i in range(0, 50 * every, every):
             assert steps[i].points[0, 0] == i
-        found.append((time.perf_counter() - start) / 50)
+        found.append((perf_counter() - start) / 50)
     return min(found)
 
 
@@ -94,7 +94,7 @@ def test_a_step_of_a_long_run_takes_no_longer(tmp_path, name, text):
         path = tmp_path / f"{count}_{name}"
         path.write_text("".join(text.format(step=10 * i, x=i) for i in range(count)))
         runs.append(path)
-    time.sleep(2.1)  # a file that was written just now is looked at again
+    sleep(2.1)  # a file that was written just now is looked at again
     short, long = (seconds_per_step(spherepacking.steps(path)) for path in runs)
     assert long < 2.5 * short
 
@@ -576,6 +576,12 @@ OTHERS = {
     "a.off": (b"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "found a surface"),
     "a.gro": (b"water\n1\n    1SOL OW 1 0.1 0.2 0.3\n 1 1 1\n", "no radii, .*radius="),
     "a.h5": (b"\x89HDF\r\n\x1a\n" + bytes(100), "found an HDF5 file"),
+    "a.npz": (b"PK\x03\x04" + bytes(100), "found arrays of NumPy, .*savetxt"),
+    "a.xlsx": (b"PK\x03\x04" + bytes(100), "found a workbook of Excel, .*saved as CSV"),
+    "a.txt": (b'[{"x":1,"y":2,"z":3,"r":1},{"x":1,"y":2,"z":3,"r":1}]\n', "found a file in JSON"),
+    "a.csv": (b'{\n  "spheres": [[1, 2, 3, 1]]}\n', "found a file in JSON, expected text: x y z r"),
+    "a.xyzr": (b"[[1, 2, 3, 0.5],\n [1, 2, 3, 0.5]]\n", "found a file in JSON"),
+    "a.json": (b"[1, 2, 3, 0.5]\n", "found a file in JSON"),
     "a.zip": (b"PK\x03\x04" + bytes(100), "found a zip archive"),
     "a.spheres": (b"\x89PNG\r\n\x1a\n" + bytes(100), "found a picture"),
     "a.npy": (b"\x93NUMPY\x01\x00", "found an array of NumPy, .*savetxt"),
