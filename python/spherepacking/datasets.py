@@ -201,7 +201,8 @@ def check_blocks(dataset: Any, radius: RadiusLike | None) -> None:
     """
     if isinstance(dataset, pv.DataSet) or not (radius is None or isinstance(radius, str)):
         return
-    having, lacking = [], []
+    having: list[str | int] = []
+    lacking: list[str | int] = []
     for name, block in _named_blocks(dataset):
         arrays = [*block.point_data, *block.cell_data]
         found = radius in arrays if radius is not None else radius_name_in(arrays) is not None
@@ -217,10 +218,10 @@ def check_blocks(dataset: Any, radius: RadiusLike | None) -> None:
 
 def _named_blocks(dataset: Any) -> Iterator[tuple[str | int, pv.DataSet]]:
     """All datasets in a composite one, in order, by name or else by number."""
-    names = dataset.keys() if isinstance(dataset, pv.MultiBlock) else range(len(dataset))
-    for name, block in zip(names, dataset, strict=True):
+    for i, block in enumerate(dataset):
+        name = dataset.get_block_name(i) if isinstance(dataset, pv.MultiBlock) else None
         if isinstance(block, pv.DataSet):
-            yield name, block
+            yield i if name is None else name, block
         elif isinstance(block, (pv.MultiBlock, pv.PartitionedDataSet)):
             yield from _named_blocks(block)
 

@@ -147,7 +147,9 @@ class SpherePackingReader(pv.BaseReader, pv.TimeReader):  # type: ignore[type-ar
         A time that several steps have chooses none: use :meth:`set_active_time_point`.
         """
         times = self._known_times()
-        found = times.steps.get(time_value, []) if isinstance(time_value, Real) else []
+        found: list[int] = []
+        if isinstance(time_value, Real):
+            found = times.steps.get(time_value, found)
         if not found:
             raise ValueError(
                 f"time_value: found {shown(time_value)}, expected one of [{some_of(times.values)}]"
