@@ -116,7 +116,8 @@ void vtkSpherePackingWriter::WriteFile(vtkPolyData* packing)
     throw PackingFileError(vtkErrorCode::UnrecognizedFileTypeError,
       file +
         ": found a format that cannot be written, expected the extension .spheres, "
-        ".xyzr, .txt, .csv, .xyzd, .dump or .xyz");
+        ".xyzr, .txt, .csv, .xyzd, .dump or .xyz; spherepacking.write() writes .vtp, .vtu and "
+        ".vtk, too");
   }
   vtkNew<vtkSpherePackingInput> input;
   options.Radii = input->FindRadii(packing, this->RadiusArrayName);
