@@ -56,7 +56,9 @@ class _Handler:
     def __call__(self, number: int, frame: FrameType | None) -> None:
         """Handle the signal; Python calls this in the main thread."""
         if self.depth == 0 and not self.in_observer(frame):
-            self.raise_held()
+            held, self.raised = self.raised, None
+            if held is not None:
+                raise held
             self._call_previous(number, frame)
             return
         try:
@@ -83,12 +85,6 @@ class _Handler:
                 return True
             frame = frame.f_back
         return False
-
-    def raise_held(self) -> None:
-        """Raise what was held."""
-        raised, self.raised = self.raised, None
-        if raised is not None:
-            raise raised
 
     def install(self) -> None:
         """Become the handler of SIGINT, unless the system handles it or it is ignored."""
@@ -167,9 +163,14 @@ class InterruptsHeld:
             if _handler.raised is not None:
                 raise _handler.raised
             return
-        _handler.remove()
-        _handler.depth -= 1
-        _handler.raise_held()
+        try:
+            _handler.remove()
+        finally:
+            # From the removal on the handler before raises at any call, so that there is none here.
+            _handler.depth -= 1
+            held, _handler.raised = _handler.raised, None
+            if held is not None:
+                raise held
 
 
 def _listen(algorithm: Interruptible, _event: str) -> None:
