@@ -1,8 +1,8 @@
 """Ctrl-C while C++ is at work: held back until that has returned, then raised.
 
 Upstream: VTK's vtkPythonCommand ends the process ("Caught a Ctrl-C within python, exiting program")
-when KeyboardInterrupt leaves an observer: https://github.com/marcomusy/vedo/issues/1101. Python runs
-the handler of a signal before the next bytecode, and while VTK works that is an observer's. So
+when KeyboardInterrupt leaves an observer: https://github.com/marcomusy/vedo/issues/1101. Python
+runs the handler of a signal before the next bytecode, and while VTK works that is an observer's. So
 whatever calls VTK with observers does so in the block of :class:`InterruptsHeld`, where the handler
 raises nothing but asks the work to stop; the end of the block raises.
 

@@ -59,6 +59,7 @@ class Calls:
                 self.live = self.plotter.packing.path_trace(self.packing, samples=2)
             else:
                 self.plotter.packing.add(self.packing)
+            self.plotter.show(auto_close=False)
 
     def fresh(self):
         return PackingAccessor(self.packing.copy(deep=False))

@@ -1,7 +1,7 @@
 """Ctrl-C at any moment of any long call: KeyboardInterrupt, soon, and the results stay whole.
 
-``SPHEREPACKING_INTERRUPTS`` is the number of interruptions over all calls, ``SPHEREPACKING_SPHERES``
-that of spheres; ``pytest -s`` prints how long they took.
+``SPHEREPACKING_INTERRUPTS`` is the number of interruptions over all calls,
+``SPHEREPACKING_SPHERES`` that of spheres; ``pytest -s`` prints how long they took.
 """
 
 import os

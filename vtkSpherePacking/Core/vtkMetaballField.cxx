@@ -10,6 +10,7 @@
 #include "bridge/Limits.h"
 #include "bridge/PackingCharges.h"
 #include "bridge/RadiusArray.h"
+#include "bridge/RunInterruptibly.h"
 #include "bridge/SmpParallelFor.h"
 
 #include "vtkFloatArray.h"
@@ -195,12 +196,16 @@ const GridGeometry& vtkMetaballField::FindGrid(vtkPolyData* packing, vtkDataArra
   if (this->Cached->Times != times)
   {
     this->Cached->Times.clear();
-    const PackingCharges charges(packing, radii, this->Count, this->Weights);
-    if (!charges.Empty())
+    const auto work = [&](std::atomic<double>&)
     {
-      spherepacking::CheckCoordinateRange(charges.Bounds);
-    }
-    this->Cached->Grid = spherepacking::ResolveGrid(this->Request(), charges);
+      const PackingCharges charges(packing, radii, this->Count, this->Weights);
+      if (!charges.Empty())
+      {
+        spherepacking::CheckCoordinateRange(charges.Bounds);
+      }
+      this->Cached->Grid = spherepacking::ResolveGrid(this->Request(), charges);
+    };
+    spherepacking::RunInterruptibly(this, work);
     this->Cached->Times = times;
   }
   return this->Cached->Grid;
@@ -275,17 +280,14 @@ FieldScene vtkMetaballField::Prepare(const PackingCharges& charges, const GridGe
   // A channel of a blend needs the field alone.
   const spherepacking::FieldWanted wanted{ !colors && this->ComputeGradient,
     !colors && this->ComputeStrongest };
-  const auto stoppable = [&](std::int64_t count, const std::function<void(std::int64_t)>& work)
-  {
-    this->UpdateProgress(this->GetProgress());
-    if (this->CheckAbort())
+  FieldScene scene;
+  spherepacking::RunInterruptibly(this,
+    [&](std::atomic<double>&)
     {
-      throw AbortRequest();
-    }
-    spherepacking::SmpParallelFor()(count, work);
-  };
-  return spherepacking::PrepareField(static_cast<BlobKind>(this->Kernel), std::move(spheres),
-    this->RelativeError, grid, wanted, stoppable);
+      scene = spherepacking::PrepareField(static_cast<BlobKind>(this->Kernel), std::move(spheres),
+        this->RelativeError, grid, wanted, spherepacking::SmpParallelFor());
+    });
+  return scene;
 }
 
 //------------------------------------------------------------------------------

@@ -6,6 +6,7 @@
 #include "bridge/FieldData.h"
 #include "bridge/Guard.h"
 #include "bridge/RadiusArray.h"
+#include "bridge/RunInterruptibly.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -18,7 +19,7 @@ int vtkSpherePackingBoxAlgorithm::RequestData(
   using spherepacking::Outcome;
   vtkPolyData* packing = vtkPolyData::GetData(inputs[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputs);
-  const auto work = [&]
+  const auto work = [&](std::atomic<double>&)
   {
     this->CheckOptions(packing->GetNumberOfPoints());
     vtkDataArray* radii = spherepacking::RadiiOf(packing, this->RadiusArrayName);
@@ -32,7 +33,8 @@ int vtkSpherePackingBoxAlgorithm::RequestData(
     boxes.Write(output, this->BoxesAsLines);
   };
   const Outcome outcome = spherepacking::RunGuarded(this, this->ErrorMessage,
-    "the boxes do not fit in the memory that is free, expected fewer", work);
+    "the boxes do not fit in the memory that is free, expected fewer",
+    [&] { spherepacking::RunInterruptibly(this, work); });
   return outcome == Outcome::Failed ? 0 : 1;
 }
 

@@ -7,6 +7,7 @@
 #include "bridge/MemoryLimit.h"
 #include "bridge/PictureArrays.h"
 #include "bridge/PreparedScene.h"
+#include "bridge/RunInterruptibly.h"
 #include "bridge/TileLoop.h"
 
 #include "vtkCamera.h"
@@ -135,9 +136,13 @@ void vtkSpherePackingTracer::Check() const
 //------------------------------------------------------------------------------
 void vtkSpherePackingTracer::Prepare(vtkPolyData* packing)
 {
-  this->Prepared->Prepare(packing,
-    { this->RadiusArrayName.c_str(), static_cast<spherepacking::StructureKind>(this->Structure),
-      this->Cuts });
+  const spherepacking::StructureOptions options{ this->RadiusArrayName.c_str(),
+    static_cast<spherepacking::StructureKind>(this->Structure), this->Cuts };
+  if (!this->Prepared->IsUpToDate(packing, options))
+  {
+    spherepacking::RunInterruptibly(
+      this, [&](std::atomic<double>&) { this->Prepared->Prepare(packing, options); });
+  }
 }
 
 //------------------------------------------------------------------------------

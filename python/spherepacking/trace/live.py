@@ -220,6 +220,9 @@ class LivePicture:
         elif usable:
             # Of a finished picture the tracer finds that nothing is left to do.
             self._refine_in_vtk(None)
+        if is_held():
+            # The rendering comes to its end at once; the next one shows the spheres.
+            self._renderer.GetRenderWindow().SetAbortRender(1)
         shown = usable and self.shown
         self.actor.mapper.SetDrawn(not shown)
         if not shown:

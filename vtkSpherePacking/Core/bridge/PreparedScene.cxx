@@ -71,8 +71,9 @@ SpheresState StateOf(vtkPolyData* packing, const char* radiusArrayName)
 }
 
 //------------------------------------------------------------------------------
-bool PreparedScene::IsUpToDate(const SpheresState& state, const StructureOptions& options) const
+bool PreparedScene::IsUpToDate(vtkPolyData* packing, const StructureOptions& options) const
 {
+  const SpheresState state = StateOf(packing, options.RadiusArrayName);
   return state.Radii && state == this->Made && options.Kind == this->Kind &&
     options.Cuts == this->Cuts;
 }
@@ -81,10 +82,6 @@ bool PreparedScene::IsUpToDate(const SpheresState& state, const StructureOptions
 void PreparedScene::Prepare(vtkPolyData* packing, const StructureOptions& options)
 {
   const SpheresState state = StateOf(packing, options.RadiusArrayName);
-  if (this->IsUpToDate(state, options))
-  {
-    return;
-  }
   vtkDataArray* radii = RadiiOf(packing, options.RadiusArrayName);
   *this = PreparedScene();
   if (!radii)
