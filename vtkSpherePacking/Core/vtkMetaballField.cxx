@@ -92,7 +92,9 @@ void vtkMetaballField::SetNumberOfWeights(int number)
   const auto size = static_cast<std::size_t>(std::max(0, number));
   if (size != this->Weights.size())
   {
-    this->Weights.resize(size, 1.0);
+    const auto outOfMemory = []
+    { return std::string("weights: found more than fit in the memory that is free"); };
+    RunGuarded(this, this->ErrorMessage, outOfMemory, [&] { this->Weights.resize(size, 1.0); });
     this->Modified();
   }
 }
@@ -176,7 +178,7 @@ int vtkMetaballField::RequestInformation(
     grid = this->FindGrid(packing, spherepacking::RadiiOf(packing, this->RadiusArrayName));
   };
   // RequestData() meets the same error.
-  RunGuarded(this, this->ErrorMessage, this->OutOfMemory(), work, Report::Later);
+  RunGuarded(this, this->ErrorMessage, [this] { return this->OutOfMemory(); }, work, Report::Later);
   vtkInformation* info = outputs->GetInformationObject(0);
   const int extent[6] = { 0, grid.Dimensions[0] - 1, 0, grid.Dimensions[1] - 1, 0,
     grid.Dimensions[2] - 1 };
@@ -239,7 +241,8 @@ int vtkMetaballField::RequestData(
     // Else the executive would discard the blocks that are done.
     this->SetAbortOutput(false);
   };
-  if (RunGuarded(this, this->ErrorMessage, this->OutOfMemory(), work) == Outcome::Failed)
+  if (RunGuarded(
+        this, this->ErrorMessage, [this] { return this->OutOfMemory(); }, work) == Outcome::Failed)
   {
     output->Initialize();
     return 0;

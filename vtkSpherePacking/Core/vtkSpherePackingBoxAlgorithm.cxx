@@ -12,6 +12,12 @@
 #include "vtkInformationVector.h"
 #include "vtkPolyData.h"
 
+namespace
+{
+const auto OutOfMemory = []
+{ return std::string("the boxes do not fit in the memory that is free, expected fewer"); };
+}
+
 //------------------------------------------------------------------------------
 int vtkSpherePackingBoxAlgorithm::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
@@ -32,9 +38,8 @@ int vtkSpherePackingBoxAlgorithm::RequestData(
     spherepacking::AddFieldArray(output, "build_seconds", { watch.Seconds() });
     boxes.Write(output, this->BoxesAsLines);
   };
-  const Outcome outcome = spherepacking::RunGuarded(this, this->ErrorMessage,
-    "the boxes do not fit in the memory that is free, expected fewer",
-    [&] { spherepacking::RunInterruptibly(this, work); });
+  const Outcome outcome = spherepacking::RunGuarded(
+    this, this->ErrorMessage, OutOfMemory, [&] { spherepacking::RunInterruptibly(this, work); });
   return outcome == Outcome::Failed ? 0 : 1;
 }
 

@@ -25,6 +25,12 @@ vtkStandardNewMacro(vtkSpherePackingContacts);
 
 using namespace spherepacking;
 
+namespace
+{
+const auto OutOfMemory = []
+{ return std::string("gap: the contacts do not fit in the memory that is free, expected fewer"); };
+}
+
 //------------------------------------------------------------------------------
 int vtkSpherePackingContacts::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
@@ -33,11 +39,9 @@ int vtkSpherePackingContacts::RequestData(
   vtkPolyData* packing = vtkPolyData::GetData(inputs[0]);
   const auto work = [&]
   {
-    RunInterruptibly(
-      this, [&](std::atomic<double>& done) { this->Find(packing, output, done); });
+    RunInterruptibly(this, [&](std::atomic<double>& done) { this->Find(packing, output, done); });
   };
-  const Outcome outcome = RunGuarded(this, this->ErrorMessage,
-    "gap: the contacts do not fit in the memory that is free, expected fewer", work);
+  const Outcome outcome = RunGuarded(this, this->ErrorMessage, OutOfMemory, work);
   if (outcome != Outcome::Done)
   {
     output->Initialize();

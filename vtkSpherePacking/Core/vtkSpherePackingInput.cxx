@@ -3,19 +3,37 @@
 
 #include "bridge/RadiusArray.h"
 
+#include "vtkMath.h"
 #include "vtkObjectFactory.h"
+
+#include <new>
 
 vtkStandardNewMacro(vtkSpherePackingInput);
 
 //------------------------------------------------------------------------------
 vtkDataArray* vtkSpherePackingInput::FindRadii(vtkPolyData* packing, const char* name)
 {
-  return spherepacking::FindRadii(packing, name, this->Message);
+  try
+  {
+    return spherepacking::FindRadii(packing, name, this->Message);
+  }
+  catch (const std::bad_alloc&)
+  {
+    this->Message = "out of memory"; // short enough for a std::string to hold it itself
+    return nullptr;
+  }
 }
 
 //------------------------------------------------------------------------------
 void vtkSpherePackingInput::ComputeBounds(
   vtkPolyData* packing, vtkDataArray* radii, double bounds[6])
 {
-  spherepacking::ComputeBounds(packing, radii, bounds);
+  try
+  {
+    spherepacking::ComputeBounds(packing, radii, bounds);
+  }
+  catch (const std::bad_alloc&)
+  {
+    vtkMath::UninitializeBounds(bounds);
+  }
 }

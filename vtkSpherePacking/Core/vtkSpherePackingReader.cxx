@@ -156,7 +156,7 @@ int vtkSpherePackingReader::RequestInformation(
     outInfo->Set(SDDP::TIME_RANGE(), range, 2);
   };
   // RequestData() meets the same error.
-  RunGuarded(this, this->ErrorMessage, this->OutOfMemory(), work, Report::Later);
+  RunGuarded(this, this->ErrorMessage, [this] { return this->OutOfMemory(); }, work, Report::Later);
   return 1;
 }
 
@@ -180,7 +180,8 @@ int vtkSpherePackingReader::RequestData(
   vtkInformation* outInfo = outputVector->GetInformationObject(0);
   vtkPolyData* output = vtkPolyData::GetData(outInfo);
   const auto work = [&] { this->ReadFile(outInfo, output); };
-  if (RunGuarded(this, this->ErrorMessage, this->OutOfMemory(), work) == Outcome::Done)
+  if (RunGuarded(
+        this, this->ErrorMessage, [this] { return this->OutOfMemory(); }, work) == Outcome::Done)
   {
     return 1;
   }

@@ -34,8 +34,8 @@ using spherepacking::Tile;
 
 namespace
 {
-constexpr char OutOfMemory[] =
-  "the picture or the structure does not fit in the memory that is free";
+const auto OutOfMemory = []
+{ return std::string("the picture or the structure does not fit in the memory that is free"); };
 }
 
 //------------------------------------------------------------------------------
@@ -169,6 +169,12 @@ int vtkSpherePackingTracer::RequestData(
 }
 
 //------------------------------------------------------------------------------
+bool vtkSpherePackingTracer::RunWith(spherepacking::FunctionRef<void()> work)
+{
+  return RunGuarded(this, this->ErrorMessage, OutOfMemory, work) == Outcome::Done;
+}
+
+//------------------------------------------------------------------------------
 void vtkSpherePackingTracer::Trace(vtkImageData* output)
 {
   const spherepacking::CameraView view = this->FindView();
@@ -238,7 +244,7 @@ spherepacking::CameraView vtkSpherePackingTracer::FindView() const
 
 //------------------------------------------------------------------------------
 vtkIdType vtkSpherePackingTracer::Cast(
-  const std::function<Ray()>& makeRay, double& t, double normal[3])
+  spherepacking::FunctionRef<Ray()> makeRay, double& t, double normal[3])
 {
   t = spherepacking::NoHit;
   std::fill_n(normal, 3, 0.0);
@@ -269,7 +275,7 @@ vtkIdType vtkSpherePackingTracer::Cast(
       std::copy_n(n, 3, normal);
     }
   };
-  RunGuarded(this, this->ErrorMessage, OutOfMemory, work);
+  this->RunWith(work);
   return id;
 }
 

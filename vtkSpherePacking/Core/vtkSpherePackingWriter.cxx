@@ -75,7 +75,7 @@ int vtkSpherePackingWriter::Write()
     {
       throw CodedError(vtkErrorCode::UnknownError, "the writer has no input, expected a packing");
     };
-    RunGuarded(this, this->ErrorMessage, {}, work);
+    RunGuarded(this, this->ErrorMessage, [] { return std::string(); }, work);
     return 0;
   }
   this->Update();
@@ -87,9 +87,12 @@ int vtkSpherePackingWriter::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
   const auto work = [&] { this->WriteFile(vtkPolyData::GetData(inputVector[0])); };
-  const std::string file = this->FileName ? this->FileName : "FileName";
-  this->Written = RunGuarded(this, this->ErrorMessage, file + ": not enough memory to write it",
-                    work) == Outcome::Done;
+  const auto outOfMemory = [this]
+  {
+    return std::string(this->FileName ? this->FileName : "FileName") +
+      ": not enough memory to write it";
+  };
+  this->Written = RunGuarded(this, this->ErrorMessage, outOfMemory, work) == Outcome::Done;
   // 1 even after an error, since the executive would otherwise report another one.
   return 1;
 }

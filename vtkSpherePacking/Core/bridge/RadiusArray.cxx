@@ -3,6 +3,7 @@
 
 #include "bridge/Guard.h"
 #include "bridge/Limits.h"
+#include "bridge/SmpParallelFor.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataArrayRange.h"
@@ -12,7 +13,6 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSMPThreadLocal.h"
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <array>
@@ -54,7 +54,7 @@ struct FirstBadValue
   {
     const auto values = vtk::DataArrayValueRange(array);
     vtkSMPThreadLocal<vtkIdType> firsts(this->Index);
-    vtkSMPTools::For(0, values.size(),
+    SmpFor(0, values.size(), 0,
       [&](vtkIdType begin, vtkIdType end)
       {
         vtkIdType& first = firsts.Local();
@@ -92,7 +92,7 @@ struct SphereBounds
     const double inf = std::numeric_limits<double>::infinity();
     const std::array<double, 6> empty{ inf, -inf, inf, -inf, inf, -inf };
     vtkSMPThreadLocal<std::array<double, 6>> locals(empty);
-    vtkSMPTools::For(0, centers.size(),
+    SmpFor(0, centers.size(), 0,
       [&](vtkIdType begin, vtkIdType end)
       {
         std::array<double, 6> box = locals.Local();

@@ -58,8 +58,8 @@ private:
   std::exception_ptr Exception;
 };
 
-/// vtkSMPTools::For() of pieces [begin, end) of [first, last), whose first exception is thrown again
-/// in the calling thread.
+/// vtkSMPTools::For() of pieces [begin, end) of [first, last), of `grain` each or of as many as VTK
+/// chooses for 0, whose first exception is thrown again in the calling thread.
 template <typename Body>
 void SmpFor(vtkIdType first, vtkIdType last, vtkIdType grain, const Body& body)
 {
