@@ -3,7 +3,6 @@
 
 #include "bridge/RadiusArray.h"
 
-#include "vtkMath.h"
 #include "vtkObjectFactory.h"
 
 #include <new>
@@ -28,12 +27,5 @@ vtkDataArray* vtkSpherePackingInput::FindRadii(vtkPolyData* packing, const char*
 void vtkSpherePackingInput::ComputeBounds(
   vtkPolyData* packing, vtkDataArray* radii, double bounds[6])
 {
-  try
-  {
-    spherepacking::ComputeBounds(packing, radii, bounds);
-  }
-  catch (const std::bad_alloc&)
-  {
-    vtkMath::UninitializeBounds(bounds);
-  }
+  spherepacking::ComputeBounds(packing, radii, bounds);
 }
