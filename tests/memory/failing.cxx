@@ -1,9 +1,9 @@
 // Lets the n-th allocation fail that this package's libraries ask for, or VTK's arrays for them.
 //
 // Preloaded into a process. Where an allocation comes from is told by the address that it returns
-// to. Left out are those of less than `Least` bytes: VTK's own objects and records of threads,
-// whose failure ends the process in VTK ("Proxy not joined. Terminating."), and the makers of our
-// objects, which VTK's wrappers call without a guard.
+// to. Left out are those of less than `Least` bytes, among them VTK's records of what its threads
+// have to do, whose failure ends the process within VTK ("Proxy not joined. Terminating."), and the
+// makers of our objects, which VTK's wrappers call without a guard.
 #include <atomic>
 #include <cerrno>
 #include <cstddef>
@@ -24,7 +24,7 @@ void* __libc_memalign(std::size_t, std::size_t);
 
 namespace
 {
-constexpr std::size_t Least = 128;
+constexpr std::size_t Least = 40;
 
 struct Range
 {
