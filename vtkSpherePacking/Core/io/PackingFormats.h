@@ -84,9 +84,10 @@ PackingArrays ReadMercury(
 /// Throws a ContentError: "holds no sphere, expected EXPECTED".
 [[noreturn]] void ThrowNoSphere(const std::string& expected);
 
-/// The factor for the diameters of an .xyzd file, from the .nfo file of the same name beside it; 1
-/// if there is none. Throws if there is one that does not hold both porosities.
-double DiameterScale(const std::string& xyzdFile);
+/// The factor for the diameters of an .xyzd file of `count` spheres, from the .nfo file of the same
+/// name beside it; 1 if there is none. Throws if there is one that cannot be read, does not hold
+/// both porosities, each once, or is of another number of spheres.
+double DiameterScale(const std::string& xyzdFile, unsigned long long count);
 }
 
 #endif

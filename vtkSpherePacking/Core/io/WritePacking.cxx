@@ -108,9 +108,9 @@ void WriteSpheres(const WriteOptions& options, const std::vector<WrittenArray>& 
 }
 
 // The reader would multiply the diameters by the scale of an .nfo file beside the file.
-void CheckDiameterScale(const std::string& file)
+void CheckDiameterScale(const std::string& file, vtkIdType count)
 {
-  const double scale = DiameterScale(file);
+  const double scale = DiameterScale(file, static_cast<unsigned long long>(count));
   if (scale != 1.0)
   {
     throw PackingFileError(vtkErrorCode::CannotOpenFileError,
@@ -125,7 +125,7 @@ void WritePacking(const std::string& file, const WriteOptions& options, Progress
 {
   if (options.Kind == Format::Xyzd)
   {
-    CheckDiameterScale(file);
+    CheckDiameterScale(file, options.Packing->GetNumberOfPoints());
   }
   const auto write = [&]
   {
