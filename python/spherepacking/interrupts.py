@@ -157,6 +157,9 @@ class InterruptsHeld:
         for algorithm, tag in zip(self._algorithms, self._tags, strict=True):
             algorithm.RemoveObserver(tag)
             _handler.at_work.remove(algorithm)
+            if _handler.raised is not None:
+                # That it was to stop holds for this time alone; VTK does not always forget it.
+                algorithm.SetAbortExecute(0)
         if _handler.depth > 1 or _handler.in_observer(sys._getframe()):
             # What is around has to come to its end as well, and raises it again.
             _handler.depth -= 1

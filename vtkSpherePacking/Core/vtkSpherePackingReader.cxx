@@ -2,6 +2,7 @@
 #include "vtkSpherePackingReader.h"
 
 #include "bridge/Guard.h"
+#include "bridge/SetText.h"
 #include "io/PackingFileError.h"
 #include "io/PackingFormats.h"
 #include "io/Progress.h"
@@ -19,6 +20,7 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <cstddef>
+#include <new>
 #include <optional>
 #include <vector>
 
@@ -112,6 +114,24 @@ vtkSpherePackingReader::~vtkSpherePackingReader()
 }
 
 //------------------------------------------------------------------------------
+void vtkSpherePackingReader::SetFileName(const char* text)
+{
+  if (SetText(this->FileName, text, this->FileNameLost))
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkSpherePackingReader::SetColumns(const char* text)
+{
+  if (SetText(this->Columns, text, this->ColumnsLost))
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkSpherePackingReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -196,6 +216,10 @@ int vtkSpherePackingReader::RequestData(
 //------------------------------------------------------------------------------
 void vtkSpherePackingReader::ReadFile(vtkInformation* outInfo, vtkPolyData* output)
 {
+  if (this->FileNameLost || this->ColumnsLost)
+  {
+    throw std::bad_alloc();
+  }
   if (!this->FileName || !*this->FileName)
   {
     throw PackingFileError(

@@ -2,6 +2,7 @@
 #include "vtkSpherePackingWriter.h"
 
 #include "bridge/Guard.h"
+#include "bridge/SetText.h"
 #include "io/PackingFileError.h"
 #include "io/Progress.h"
 #include "io/WritePacking.h"
@@ -13,6 +14,8 @@
 #include "vtkPolyData.h"
 #include "vtkSpherePackingInput.h"
 #include "vtksys/SystemTools.hxx"
+
+#include <new>
 
 using namespace spherepacking;
 
@@ -47,6 +50,15 @@ vtkSpherePackingWriter::~vtkSpherePackingWriter()
 {
   this->SetFileName(nullptr);
   this->SetRadiusArrayName(nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkSpherePackingWriter::SetFileName(const char* text)
+{
+  if (SetText(this->FileName, text, this->FileNameLost))
+  {
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -100,6 +112,10 @@ int vtkSpherePackingWriter::RequestData(
 //------------------------------------------------------------------------------
 void vtkSpherePackingWriter::WriteFile(vtkPolyData* packing)
 {
+  if (this->FileNameLost)
+  {
+    throw std::bad_alloc();
+  }
   if (!this->FileName || !*this->FileName)
   {
     throw PackingFileError(

@@ -94,10 +94,8 @@ class SpherePackingReader(pv.BaseReader, pv.TimeReader):  # type: ignore[type-ar
 
     def _values(self) -> list[float]:
         """What VTK calls the steps by: their times where these increase, or else 0, 1, 2."""
-        # What is wrong with the file is raised when it is read. VTK forgets a request to stop when
-        # it reads, and not when it looks for steps.
-        self.reader.SetAbortExecute(0)
-        with ErrorLog(self.reader), progress_bar(self.reader, "", None):
+        # What is wrong with the file is raised when it is read.
+        with ErrorLog(self.reader):
             self.reader.UpdateInformation()
         key = self.reader.GetExecutive().TIME_STEPS()
         return list(self.reader.GetOutputInformation(0).Get(key) or ())

@@ -119,8 +119,6 @@ class PreparedTracer[Tracer: vtkSpherePackingTracer]:
             self._look_key = key
         # The picture of the last time belongs to whoever asked for it.
         tracer.Modified()
-        # That it was stopped holds for the last time alone.
-        tracer.SetAbortExecute(0)
         update(tracer, self._label, progress=progress)
         image = pv.ImageData()
         image.ShallowCopy(tracer.GetOutput())
