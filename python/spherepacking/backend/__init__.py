@@ -9,6 +9,7 @@ than as PyVista's warning about a plugin that failed to load.
 from __future__ import annotations
 
 import importlib
+import os
 from typing import TYPE_CHECKING
 
 import pyvista as pv
@@ -60,7 +61,7 @@ if TYPE_CHECKING:
 
     # Stock VTK's stubs, since cvista brings none; its classes are the same. Some are here for
     # signatures alone.
-    from vtkmodules.vtkCommonCore import reference, vtkDataArray
+    from vtkmodules.vtkCommonCore import reference, vtkDataArray, vtkSMPTools
     from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData
     from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
     from vtkmodules.vtkDomainsChemistry import vtkPeriodicTable
@@ -109,9 +110,13 @@ else:
     vtkRenderStepsPass = _opengl.vtkRenderStepsPass
     vtkSequencePass = _opengl.vtkSequencePass
 
+    _common = importlib.import_module(f"{VTK_ROOT}.vtkCommonCore")
     # How a number comes back from a C++ reference.
-    reference = importlib.import_module(f"{VTK_ROOT}.vtkCommonCore").reference
-    vtkDataObject = importlib.import_module(f"{VTK_ROOT}.vtkCommonDataModel").vtkDataObject
+    reference = _common.reference
+    vtkSMPTools = _common.vtkSMPTools
+    _data_model = importlib.import_module(f"{VTK_ROOT}.vtkCommonDataModel")
+    vtkDataObject = _data_model.vtkDataObject
+    vtkPolyData = _data_model.vtkPolyData
     vtkStreamingDemandDrivenPipeline = importlib.import_module(
         f"{VTK_ROOT}.vtkCommonExecutionModel"
     ).vtkStreamingDemandDrivenPipeline
@@ -136,3 +141,7 @@ else:
     _rendering = _load("vtkSpherePackingRendering")
     vtkOpenGLSpherePackingMapper = _rendering.vtkOpenGLSpherePackingMapper
     vtkSpherePackingPicturePass = _rendering.vtkSpherePackingPicturePass
+
+if hasattr(os, "register_at_fork"):
+    # A forked child has none of the threads of VTK's pool, and would wait for them for ever.
+    os.register_at_fork(after_in_child=lambda: vtkSMPTools.SetBackend("Sequential"))

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import pyvista as pv
 
 from ..datasets import packing_of, with_radii, wrap
+from ..packing import snapshot
 from ..vtk_tools import errors_raised
 from .errors import PackingFileError
 from .replace import check_replaceable
@@ -118,7 +119,7 @@ def write(
         return
     writer = vtkSpherePackingWriter()
     writer.SetFileName(str(path))
-    writer.SetInputData(spheres)
+    writer.SetInputData(snapshot(spheres))
     with errors_raised(writer, PackingFileError):
         writer.Write()
 

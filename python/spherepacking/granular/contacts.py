@@ -8,7 +8,7 @@ import numpy as np
 import pyvista as pv
 
 from .. import checks
-from ..packing import check_radii
+from ..packing import check_radii, snapshot
 from ..vtk_tools import update
 from .cell import cell_of, find_cell, set_cell
 
@@ -35,7 +35,7 @@ def contacts_of(
     check_radii(packing)
     find_cell(packing)
     finder = vtkSpherePackingContacts()
-    finder.SetInputData(packing)
+    finder.SetInputData(snapshot(packing))
     finder.SetGap(gap)
     update(finder, "Finding contacts", progress=progress)
     return pv.wrap(finder.GetOutput())

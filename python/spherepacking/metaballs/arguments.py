@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .. import checks
-from ..packing import check_radii
+from ..packing import check_radii, snapshot
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -79,7 +79,7 @@ def field_filter(
     if not (isinstance(options.kernel, str) and options.kernel in KERNELS):
         raise ValueError(f"kernel: found {options.kernel!r}, expected one of {', '.join(KERNELS)}")
     algorithm = vtkMetaballField()
-    algorithm.SetInputData(packing)
+    algorithm.SetInputData(snapshot(packing))
     algorithm.SetKernel(KERNELS.index(options.kernel))
     _set_grid(algorithm, options)
     if threshold is not None:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import pyvista as pv
 
 from .. import checks
-from ..packing import check_radii
+from ..packing import check_radii, snapshot
 from ..vtk_tools import errors_raised
 
 if TYPE_CHECKING:
@@ -170,7 +170,7 @@ def _boxes_of(
     """Output of a filter from packings to boxes, or an exception."""
     if packing.n_points:
         check_radii(packing)
-    algorithm.SetInputData(packing)
+    algorithm.SetInputData(snapshot(packing))
     algorithm.SetBoxesAsLines(checks.flag_of("as_lines", as_lines))
     with errors_raised(algorithm):
         algorithm.Update()

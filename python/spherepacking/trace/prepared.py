@@ -9,13 +9,13 @@ import numpy as np
 import pyvista as pv
 
 from .. import checks
-from ..packing import ChangeDetector, check_radii
+from ..packing import ChangeDetector, check_radii, snapshot
 from ..vtk_tools import update
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
-    from ..backend import vtkCamera, vtkDataArray, vtkSpherePackingTracer
+    from ..backend import vtkCamera, vtkDataArray, vtkPolyData, vtkSpherePackingTracer
     from ..look.look import Look
 
     type CameraLike = pv.Camera | vtkCamera | Sequence[Sequence[float]]
@@ -60,6 +60,7 @@ class PreparedTracer[Tracer: vtkSpherePackingTracer]:
         self._hash_contents = hash_contents
         self._changes = ChangeDetector(hash_contents=hash_contents)
         self._tracer: Tracer | None = None
+        self._spheres: vtkPolyData
         # When the centres and radii of the tracer were last changed, and what its colours depend
         # on: checking and colouring again take as long as casting rays.
         self._geometry: tuple[int, int, int] | None = None
@@ -94,7 +95,8 @@ class PreparedTracer[Tracer: vtkSpherePackingTracer]:
         tracer = self._tracer
         if self._geometry is None:
             # Shares the arrays; the packing itself would be kept alive by its own accessor.
-            tracer.SetInputData(packing.copy(deep=False))
+            self._spheres = snapshot(packing)
+            tracer.SetInputData(self._spheres)
             self._geometry = geometry
         tracer.SetCamera(camera)
         tracer.SetWindowSize(size)
@@ -139,7 +141,8 @@ class PreparedTracer[Tracer: vtkSpherePackingTracer]:
             values, known = pv.convert_array(colors), pv.convert_array(before)
             if np.array_equal(values, known):
                 self._colors = colors = before
-        data = packing.copy(deep=False)
+        data = self._spheres.NewInstance()
+        data.ShallowCopy(self._spheres)
         data.GetPointData().AddArray(colors)
         tracer.SetInputData(data)
         tracer.SetColorArrayName(colors.GetName())
