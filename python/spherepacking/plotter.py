@@ -466,6 +466,7 @@ def _path_options(samples: int, light: dict[str, Any]) -> PathOptions:
         "preview",
         "sky_visible",
         "progress",
+        "stop",
     }
     if unknown := light.keys() - known:
         raise TypeError(

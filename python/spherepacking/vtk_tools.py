@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Protocol
 from .interrupts import Interruptible, InterruptsHeld, is_held
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Callable, Iterator
     from types import TracebackType
     from typing import Any, Self
 
@@ -129,6 +129,42 @@ def update(algorithm: Algorithm, label: str, *, progress: bool) -> None:
     bar = progress_bar(algorithm, label) if progress else nullcontext()
     with errors_raised(algorithm), bar:
         algorithm.Update()
+
+
+@contextmanager
+def stopped_by(algorithm: Algorithm, stop: Callable[[], bool] | None) -> Iterator[None]:
+    """Ask an algorithm that runs in the block to stop, once a function says so.
+
+    Parameters
+    ----------
+    algorithm : vtkAlgorithm
+        Algorithm that is updated in the block.
+    stop : callable, optional
+        Asked whenever there is progress, in the thread that runs the algorithm. What it raises
+        stops the algorithm as well, and is raised at the end of the block.
+    """
+    failures: list[Exception] = []
+
+    def ask(caller: Algorithm, _event: str) -> None:
+        try:
+            # At the begin, while things are prepared, there would be nothing to show.
+            stopped = bool(failures) or (caller.GetProgress() > 0.0 and stop is not None and stop())
+        except Exception as error:
+            failures.append(error)
+            stopped = True
+        if stopped:
+            caller.SetAbortExecute(1)
+
+    if stop is None:
+        yield
+        return
+    tag = algorithm.AddObserver("ProgressEvent", ask)
+    try:
+        yield
+    finally:
+        algorithm.RemoveObserver(tag)
+    if failures:
+        raise failures[0]
 
 
 class _Bar:

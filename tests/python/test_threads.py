@@ -74,6 +74,28 @@ print(found == 4 * [expected])
     assert told(code) == "True\n"
 
 
+def test_a_snapshot_keeps_the_memory_of_numpy():
+    code = """
+import gc
+import numpy as np, pyvista as pv
+from spherepacking.packing import snapshot
+
+def make():
+    rng = np.random.default_rng(0)
+    packing = pv.PolyData(rng.random((100_000, 3)), deep=False)
+    packing["radius"] = rng.random(100_000)
+    return snapshot(packing)
+
+shared = make()
+gc.collect()
+others = [np.zeros((100_000, 3)) for _ in range(20)]
+rng = np.random.default_rng(0)
+kept = pv.wrap(shared)
+print((kept.points == rng.random((100_000, 3))).all(), (kept["radius"] == rng.random(100_000)).all())
+"""
+    assert told(code) == "True True\n"
+
+
 def test_what_is_replaced_meanwhile_stays_alive():
     """Another thread replaces points and radii: the picture is of those at the begin."""
     code = """

@@ -130,6 +130,7 @@ class LivePicture:
         """
         if self._renderer is None or self._tracer is None or self._packing is None:
             raise RuntimeError("this picture has been closed, make a new one")
+        before = self._present_view()
         image = self._tracer.trace(
             self._packing,
             self._renderer.camera,
@@ -142,8 +143,10 @@ class LivePicture:
         for name in ("color", "depth"):
             picture.GetPointData().AddArray(image.GetPointData().GetArray(name))
         self._picture.SetPicture(picture)
-        # After tracing, which may have found changes that VTK did not know of.
-        self._shown_view = self._present_view()
+        # Tracing may have found changes that VTK did not know of; the camera is that of the begin.
+        after = self._present_view()
+        if before is not None and after is not None:
+            self._shown_view = before._replace(packing=after.packing, look=after.look)
         self.samples = int(image["samples"].min())
         # With a noise target parts of the picture get fewer.
         nothing_left = seconds is None or image.field_data["traced_samples"][0] == 0.0

@@ -10,7 +10,7 @@ import pyvista as pv
 
 from .. import checks
 from ..packing import ChangeDetector, check_radii, snapshot
-from ..vtk_tools import update
+from ..vtk_tools import stopped_by, update
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -76,6 +76,8 @@ class PreparedTracer[Tracer: vtkSpherePackingTracer]:
         cuts: int | None = None,
     ) -> Tracer:
         """Check the arguments and hand them to the tracer."""
+        from ..backend import vtkCamera
+
         if structure not in STRUCTURES:
             raise ValueError(
                 f"structure: found {structure!r}, expected one of {', '.join(STRUCTURES)}"
@@ -83,7 +85,9 @@ class PreparedTracer[Tracer: vtkSpherePackingTracer]:
         if cuts is not None:
             cuts = checks.count_of("cuts", cuts, least=0)
         size = checks.size_of("window_size", window_size, most=checks.LARGEST_TRACED_SIDE)
-        camera = camera_of(camera)
+        view = vtkCamera()
+        # Whoever moves the camera while the picture is made means the next one.
+        view.DeepCopy(camera_of(camera))
         times = self._changes.modified_times(packing)
         geometry = None if times is None else times.geometry
         if geometry is None or geometry != self._geometry:
@@ -98,7 +102,7 @@ class PreparedTracer[Tracer: vtkSpherePackingTracer]:
             self._spheres = snapshot(packing)
             tracer.SetInputData(self._spheres)
             self._geometry = geometry
-        tracer.SetCamera(camera)
+        tracer.SetCamera(view)
         tracer.SetWindowSize(size)
         tracer.SetStructure(STRUCTURES.index(structure))
         tracer.SetCuts(-1 if cuts is None else cuts)
@@ -111,6 +115,7 @@ class PreparedTracer[Tracer: vtkSpherePackingTracer]:
         tile: Sequence[int] | int | None,
         look: Look,
         progress: bool,
+        stop: Callable[[], bool] | None = None,
     ) -> pv.ImageData:
         """Make a picture with the tracer that :meth:`prepare` returned."""
         tracer.SetTileSize(_tile_of(tile))
@@ -121,7 +126,8 @@ class PreparedTracer[Tracer: vtkSpherePackingTracer]:
             self._look_key = key
         # The picture of the last time belongs to whoever asked for it.
         tracer.Modified()
-        update(tracer, self._label, progress=progress)
+        with stopped_by(tracer, stop):
+            update(tracer, self._label, progress=progress)
         image = pv.ImageData()
         image.ShallowCopy(tracer.GetOutput())
         return image
