@@ -99,7 +99,7 @@ class _Handler:
         """Leave SIGINT to the handler before, unless somebody else has taken it."""
         # A picture may be closed by the garbage collector of any thread.
         main = threading.current_thread() is threading.main_thread()
-        if main and self.pictures == 0 and signal.getsignal(signal.SIGINT) is self:
+        if main and self.pictures == 0 and isinstance(signal.getsignal(signal.SIGINT), _Handler):
             signal.signal(signal.SIGINT, self._previous)
 
 
@@ -188,7 +188,7 @@ def _listen(algorithm: Interruptible, _event: str) -> None:
 
 def held_in[Observer: Callable[..., None]](observer: Observer) -> Observer:
     """Decorate a function that VTK calls in renderings: Ctrl-C raises nothing in it."""
-    _handler.observers.add(observer.__code__)  # type: ignore[attr-defined]  # functions have it
+    _handler.observers.add(observer.__code__)
     return observer
 
 
@@ -241,6 +241,7 @@ def deliver_after() -> Callable[..., None]:
     VTK was called.
     """
     observer = ctypes.CDLL(None)["raise"]
-    observer.argtypes = (_Signal, ctypes.py_object)
+    # What ctypes asks for is `from_param` alone.
+    observer.argtypes = (_Signal, ctypes.py_object)  # type: ignore[assignment]
     observer.restype = None
     return observer

@@ -90,8 +90,8 @@ shared = make()
 gc.collect()
 others = [np.zeros((100_000, 3)) for _ in range(20)]
 rng = np.random.default_rng(0)
-kept = pv.wrap(shared)
-print((kept.points == rng.random((100_000, 3))).all(), (kept["radius"] == rng.random(100_000)).all())
+kept, points, radii = pv.wrap(shared), rng.random((100_000, 3)), rng.random(100_000)
+print((kept.points == points).all(), (kept["radius"] == radii).all())
 """
     assert told(code) == "True True\n"
 
