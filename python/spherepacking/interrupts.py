@@ -16,6 +16,7 @@ import ctypes
 import signal
 import sys
 import threading
+from functools import wraps
 from typing import TYPE_CHECKING, Protocol
 
 if TYPE_CHECKING:
@@ -174,6 +175,20 @@ class InterruptsHeld:
             held, _handler.raised = _handler.raised, None
             if held is not None:
                 raise held
+
+
+def interrupts_held[**Given, Result](function: Callable[Given, Result]) -> Callable[Given, Result]:
+    """Decorate a function whose time goes into C++: Ctrl-C is raised when it returns.
+
+    So no lock, no object of PyVista's and no destructor meets it halfway.
+    """
+
+    @wraps(function)
+    def held(*args: Given.args, **kwargs: Given.kwargs) -> Result:
+        with InterruptsHeld():
+            return function(*args, **kwargs)
+
+    return held
 
 
 def _listen(algorithm: Interruptible, _event: str) -> None:

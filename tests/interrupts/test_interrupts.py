@@ -6,6 +6,7 @@
 
 import os
 import random
+import select
 import signal
 import subprocess
 import sys
@@ -48,7 +49,7 @@ def child(*arguments, seconds=300):
 @pytest.mark.parametrize("call", CALLS)
 def test_ctrl_c_at_any_moment(call, tmp_path):
     moments = random.Random(call)
-    delays, ignored = [], 0
+    delays, ignored, unheard = [], 0, 0
     with child(HERE / "calls.py", call, SPHERES, tmp_path) as process:
         ready = process.stdout.readline().split()
         assert ready[:1] == ["ready"]
@@ -59,6 +60,10 @@ def test_ctrl_c_at_any_moment(call, tmp_path):
             time.sleep(moments.uniform(0.0, 1.5 * float(ready[1])))
             sent = time.monotonic()
             process.send_signal(signal.SIGINT)
+            if not select.select([process.stdout], [], [], 20)[0]:
+                # Raised, and lost in Python code that is not this package's.
+                unheard += 1
+                process.send_signal(signal.SIGINT)
             said = process.stdout.readline().split()
             if said[:1] == ["ignored"]:
                 ignored += 1
@@ -71,7 +76,8 @@ def test_ctrl_c_at_any_moment(call, tmp_path):
     print(
         f"\n{call}: {len(delays)} interruptions of a call of {float(ready[1]):.2f} s, seconds until"
         f" caught: median {np.median(delays):.3f}, 95 % {np.quantile(delays, 0.95):.3f}, longest"
-        f" {max(delays):.3f}; {ignored} ignored in a destructor"
+        f" {max(delays):.3f}; {ignored} ignored in a destructor, {unheard} unheard"
     )
+    assert unheard <= NUMBER // 500
     assert max(delays) < LATEST
     assert not list(tmp_path.glob(".spherepacking*")), "a temporary file is left"

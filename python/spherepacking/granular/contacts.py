@@ -8,6 +8,7 @@ import numpy as np
 import pyvista as pv
 
 from .. import checks
+from ..interrupts import interrupts_held
 from ..packing import check_radii, snapshot
 from ..vtk_tools import update
 from .cell import cell_of, find_cell, set_cell
@@ -19,6 +20,7 @@ if TYPE_CHECKING:
 _GAP_LIMITS = checks.Limits(-1e30, 1e30)
 
 
+@interrupts_held
 def contacts_of(
     packing: pv.PolyData,
     gap: float,

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import pyvista as pv
 
 from .. import checks
+from ..interrupts import interrupts_held
 from ..packing import check_radii, snapshot
 from ..vtk_tools import errors_raised
 
@@ -164,6 +165,7 @@ class BoxesOfPacking:
         return _boxes_of(grid, self.with_radius(radius), as_lines)
 
 
+@interrupts_held
 def _boxes_of(
     algorithm: vtkSpherePackingBoxAlgorithm, packing: pv.PolyData, as_lines: bool
 ) -> pv.PolyData:

@@ -9,6 +9,7 @@ import numpy as np
 import pyvista as pv
 
 from .. import checks
+from ..interrupts import interrupts_held
 from .denoise import denoised, denoiser
 from .prepared import PreparedTracer
 from .sky import set_sky, set_sun, sky_of, sun_of
@@ -58,6 +59,7 @@ class PathTracer:
             _make_tracer, "tracing paths", white_by_default=True, hash_contents=True
         )
 
+    @interrupts_held
     def trace(
         self,
         packing: pv.PolyData,
