@@ -61,7 +61,13 @@ if TYPE_CHECKING:
 
     # Stock VTK's stubs, since cvista brings none; its classes are the same. Some are here for
     # signatures alone.
-    from vtkmodules.vtkCommonCore import reference, vtkDataArray, vtkSMPTools
+    from vtkmodules.vtkCommonCore import (
+        reference,
+        vtkAbstractArray,
+        vtkDataArray,
+        vtkSMPTools,
+        vtkUnsignedCharArray,
+    )
     from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData
     from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
     from vtkmodules.vtkDomainsChemistry import vtkPeriodicTable
@@ -98,6 +104,8 @@ if TYPE_CHECKING:
     from ..vtkSpherePackingRendering import (
         vtkOpenGLSpherePackingMapper,
         vtkSpherePackingPicturePass,
+        vtkSpherePackingTiles,
+        vtkSpherePackingWindowCheck,
     )
 else:
     # The rendering backend registers its object factory overrides when it is imported, and the
@@ -110,10 +118,11 @@ else:
     vtkRenderStepsPass = _opengl.vtkRenderStepsPass
     vtkSequencePass = _opengl.vtkSequencePass
 
-    _common = importlib.import_module(f"{VTK_ROOT}.vtkCommonCore")
     # How a number comes back from a C++ reference.
-    reference = _common.reference
-    vtkSMPTools = _common.vtkSMPTools
+    _common_core = importlib.import_module(f"{VTK_ROOT}.vtkCommonCore")
+    reference = _common_core.reference
+    vtkSMPTools = _common_core.vtkSMPTools
+    vtkUnsignedCharArray = _common_core.vtkUnsignedCharArray
     _data_model = importlib.import_module(f"{VTK_ROOT}.vtkCommonDataModel")
     vtkDataObject = _data_model.vtkDataObject
     vtkPolyData = _data_model.vtkPolyData
@@ -141,6 +150,8 @@ else:
     _rendering = _load("vtkSpherePackingRendering")
     vtkOpenGLSpherePackingMapper = _rendering.vtkOpenGLSpherePackingMapper
     vtkSpherePackingPicturePass = _rendering.vtkSpherePackingPicturePass
+    vtkSpherePackingTiles = _rendering.vtkSpherePackingTiles
+    vtkSpherePackingWindowCheck = _rendering.vtkSpherePackingWindowCheck
 
 if hasattr(os, "register_at_fork"):
     # A forked child has none of the threads of VTK's pool, and would wait for them for ever.

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import pyvista as pv
 
-from ..checks import index_in
+from ..checks import index_in, shown
 from ..vtk_tools import ErrorLog, errors_raised, progress_bar
 from .errors import PackingFileError
 
@@ -74,7 +74,7 @@ class SpherePackingReader(pv.BaseReader, pv.TimeReader):  # type: ignore[type-ar
     @precision.setter
     def precision(self, precision: Literal["single", "double"]) -> None:
         if precision not in ("single", "double"):
-            raise ValueError(f"precision: found {precision!r}, expected 'single' or 'double'")
+            raise ValueError(f"precision: found {shown(precision)}, expected 'single' or 'double'")
         single = precision == "single"
         self.reader.SetOutputPointsPrecision(
             self.reader.SINGLE_PRECISION if single else self.reader.DOUBLE_PRECISION

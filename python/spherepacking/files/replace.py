@@ -7,6 +7,10 @@ import secrets
 import shutil
 import stat
 from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Buffer
 
 
 def check_replaceable(path: Path) -> Path:
@@ -51,7 +55,7 @@ def check_replaceable(path: Path) -> Path:
     return target
 
 
-def replace_file(path: Path, data: bytes) -> None:
+def replace_file(path: Path, data: Buffer) -> None:
     """Write a file under another name in its folder, then rename it; an earlier one keeps its mode.
 
     AtomicFile.cxx does the same for packings.
@@ -60,7 +64,7 @@ def replace_file(path: Path, data: bytes) -> None:
     ----------
     path : pathlib.Path
         Where the file is to be; links are followed.
-    data : bytes
+    data : bytes or another buffer
         Its contents.
 
     Raises

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 import pyvista as pv
 
-from ..checks import RADIANCE_LIMITS, number_of
-from ..files.image import read_image
+from ..checks import LARGEST_SKY, RADIANCE_LIMITS, number_of, numbers_of, shown
+from ..files.image import read_small_image
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -20,6 +20,10 @@ if TYPE_CHECKING:
 
     SkyLike = float | ArrayLike | str | os.PathLike[str]
 
+_PIXEL_BYTES = 64
+"""Memory for a pixel: in the file's type, linear, as the tracer has it, and its distribution."""
+_ROWS = 256
+"""Rows that are made linear at a time, which is done in double precision."""
 _PIXEL_TYPES = ("float16", "float32", "float64", "uint8", "uint16")
 
 
@@ -73,7 +77,8 @@ def sky_of(sky: SkyLike) -> Sky:
         See ``packing.packing.path_trace``.
     """
     if isinstance(sky, str | os.PathLike):
-        return Sky(pixels=_checked(_linear(read_image(sky)), str(sky)))
+        image = read_small_image(sky, bytes_per_pixel=_PIXEL_BYTES, most=LARGEST_SKY)
+        return Sky(pixels=_checked(_linear(image), str(sky)))
     if isinstance(sky, list | tuple) and len(sky) == 2:
         bottom, top = (_radiance_of("sky", value) for value in sky)
         return Sky(bottom, top)
@@ -96,7 +101,8 @@ def sky_of(sky: SkyLike) -> Sky:
         color = _radiance_of("sky", sky)
         return Sky(color, color)
     raise TypeError(
-        f"sky: found {sky!r}, expected a number, red, green and blue, two of either for the bottom "
+        f"sky: found {shown(sky)}, "
+        "expected a number, red, green and blue, two of either for the bottom "
         "and the top, an image (height, width, 3) or the file of one"
     )
 
@@ -106,15 +112,17 @@ def sun_of(sun: Sun | Sequence[float] | None) -> Sun | None:
     if sun is None:
         return None
     direction, radiance, diameter = sun if isinstance(sun, Sun) else Sun(sun)
-    try:
-        x, y, z = (float(number) for number in direction)
-    except (TypeError, ValueError):
+    numbers = numbers_of(direction)
+    if numbers is None or numbers.shape != (3,):
         raise TypeError(
-            f"sun: found {direction!r}, expected its direction, three numbers, or a Sun"
-        ) from None
+            f"sun: found {shown(direction)}, expected its direction, three numbers, or a Sun"
+        )
+    x, y, z = numbers.tolist()
     largest = max(abs(x), abs(y), abs(z))
     if not 0.0 < largest < np.inf:
-        raise ValueError(f"sun: found the direction {direction!r}, expected a finite one but 0")
+        raise ValueError(
+            f"sun: found the direction {shown(direction)}, expected a finite one but 0"
+        )
     return Sun(
         (x / largest, y / largest, z / largest),
         _radiance_of("sun", radiance),
@@ -124,13 +132,14 @@ def sun_of(sun: Sun | Sequence[float] | None) -> Sun | None:
 
 def _radiance_of(name: str, value: ArrayLike) -> tuple[float, float, float]:
     low, high = RADIANCE_LIMITS
-    try:
-        values = np.broadcast_to(np.asarray(value, dtype=float), 3)
-    except (TypeError, ValueError):
-        values = np.full(3, np.nan)
+    found = numbers_of(value)
+    values = np.full(3, np.nan)
+    if found is not None and found.shape in ((), (1,), (3,)):
+        values = np.broadcast_to(found, 3)
     if not ((values >= low) & (values <= high)).all():
         raise ValueError(
-            f"{name}: found {value!r}, expected a number from {low:g} to {high:g}, or three of "
+            f"{name}: found {shown(value)}, "
+            f"expected a number from {low:g} to {high:g}, or three of "
             "them for red, green and blue"
         )
     red, green, blue = values.tolist()
@@ -144,19 +153,24 @@ def _linear(pixels: np.ndarray) -> np.ndarray:
     pixels = pixels[..., :3]
     if pixels.dtype.kind == "f":
         return pixels.astype(np.float32)
-    encoded = pixels / np.iinfo(pixels.dtype).max
-    return np.where(encoded <= 0.04045, encoded / 12.92, ((encoded + 0.055) / 1.055) ** 2.4).astype(
-        np.float32
-    )
+    linear = np.empty(pixels.shape, np.float32)
+    for row in range(0, len(pixels), _ROWS):
+        encoded = pixels[row : row + _ROWS] / np.iinfo(pixels.dtype).max
+        linear[row : row + _ROWS] = np.where(
+            encoded <= 0.04045, encoded / 12.92, ((encoded + 0.055) / 1.055) ** 2.4
+        )
+    return linear
 
 
 def _checked(pixels: np.ndarray, where: str) -> np.ndarray:
     low, high = RADIANCE_LIMITS
-    wrong = pixels[~((pixels >= low) & (pixels <= high))]
-    if wrong.size:
-        raise ValueError(
-            f"sky: found {wrong[0]} in {where}, expected numbers from {low:g} to {high:g}"
-        )
+    for row in range(0, len(pixels), _ROWS):
+        rows = pixels[row : row + _ROWS]
+        wrong = rows[~((rows >= low) & (rows <= high))]
+        if wrong.size:
+            raise ValueError(
+                f"sky: found {wrong[0]} in {where}, expected numbers from {low:g} to {high:g}"
+            )
     return pixels
 
 

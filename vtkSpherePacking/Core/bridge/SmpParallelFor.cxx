@@ -5,12 +5,37 @@
 
 #include <algorithm>
 #include <utility>
+#ifdef __SANITIZE_THREAD__
+#include <thread>
+#include <vector>
+#endif
 
 namespace spherepacking
 {
 namespace
 {
 thread_local const std::atomic<bool>* StopFlag = nullptr;
+
+// Runs `body` on so many threads at once.
+template <typename Body>
+void RunOnThreads(std::int64_t threads, const Body& body)
+{
+#ifdef __SANITIZE_THREAD__
+  // The thread sanitizer does not see how the threads of VTK, which it was not built into, wait for
+  // each other, and would call every result a data race.
+  std::vector<std::thread> others;
+  for (std::int64_t i = 0; i < std::max<std::int64_t>(threads, 4); ++i)
+  {
+    others.emplace_back(body);
+  }
+  for (std::thread& other : others)
+  {
+    other.join();
+  }
+#else
+  vtkSMPTools::For(0, threads, 1, [&](vtkIdType, vtkIdType) { body(); });
+#endif
+}
 }
 
 //------------------------------------------------------------------------------
@@ -36,8 +61,9 @@ ParallelFor SmpParallelFor()
     std::atomic<std::int64_t> next{ 0 };
     const vtkIdType threads =
       std::min<std::int64_t>(count, std::max(1, vtkSMPTools::GetEstimatedNumberOfThreads()));
-    SmpFor(0, threads, 1,
-      [&](vtkIdType, vtkIdType)
+    FirstException first;
+    RunOnThreads(threads,
+      [&]
       {
         try
         {
@@ -53,9 +79,10 @@ ParallelFor SmpParallelFor()
         catch (...)
         {
           next = count;
-          throw;
+          first.Catch();
         }
       });
+    first.Rethrow();
   };
 }
 }
