@@ -207,7 +207,7 @@ const GridGeometry& vtkMetaballField::FindGrid(vtkPolyData* packing, vtkDataArra
       }
       this->Cached->Grid = spherepacking::ResolveGrid(this->Request(), charges);
     };
-    spherepacking::RunInterruptibly(this, work);
+    spherepacking::RunInterruptibly(this, packing->GetNumberOfPoints(), work);
     this->Cached->Times = times;
   }
   return this->Cached->Grid;
@@ -284,7 +284,8 @@ FieldScene vtkMetaballField::Prepare(const PackingCharges& charges, const GridGe
   const spherepacking::FieldWanted wanted{ !colors && this->ComputeGradient,
     !colors && this->ComputeStrongest };
   FieldScene scene;
-  spherepacking::RunInterruptibly(this,
+  const auto number = static_cast<std::int64_t>(spheres.size());
+  spherepacking::RunInterruptibly(this, number,
     [&](std::atomic<double>&)
     {
       scene = spherepacking::PrepareField(static_cast<BlobKind>(this->Kernel), std::move(spheres),

@@ -38,8 +38,8 @@ int vtkSpherePackingBoxAlgorithm::RequestData(
     spherepacking::AddFieldArray(output, "build_seconds", { watch.Seconds() });
     boxes.Write(output, this->BoxesAsLines);
   };
-  const Outcome outcome = spherepacking::RunGuarded(
-    this, this->ErrorMessage, OutOfMemory, [&] { spherepacking::RunInterruptibly(this, work); });
+  const Outcome outcome = spherepacking::RunGuarded(this, this->ErrorMessage, OutOfMemory,
+    [&] { spherepacking::RunInterruptibly(this, packing->GetNumberOfPoints(), work); });
   return outcome == Outcome::Failed ? 0 : 1;
 }
 

@@ -39,7 +39,8 @@ int vtkSpherePackingContacts::RequestData(
   vtkPolyData* packing = vtkPolyData::GetData(inputs[0]);
   const auto work = [&]
   {
-    RunInterruptibly(this, [&](std::atomic<double>& done) { this->Find(packing, output, done); });
+    RunInterruptibly(this, packing->GetNumberOfPoints(),
+      [&](std::atomic<double>& done) { this->Find(packing, output, done); });
   };
   const Outcome outcome = RunGuarded(this, this->ErrorMessage, OutOfMemory, work);
   if (outcome != Outcome::Done)

@@ -144,8 +144,8 @@ void vtkSpherePackingTracer::Prepare(vtkPolyData* packing)
     static_cast<spherepacking::StructureKind>(this->Structure), this->Cuts };
   if (!this->Prepared->IsUpToDate(packing, options))
   {
-    spherepacking::RunInterruptibly(
-      this, [&](std::atomic<double>&) { this->Prepared->Prepare(packing, options); });
+    spherepacking::RunInterruptibly(this, packing ? packing->GetNumberOfPoints() : 0,
+      [&](std::atomic<double>&) { this->Prepared->Prepare(packing, options); });
   }
 }
 

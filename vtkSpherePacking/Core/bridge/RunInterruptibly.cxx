@@ -12,9 +12,10 @@
 namespace spherepacking
 {
 //------------------------------------------------------------------------------
-void RunInterruptibly(
-  vtkAlgorithm* algorithm, const std::function<void(std::atomic<double>& done)>& work)
+void RunInterruptibly(vtkAlgorithm* algorithm, std::int64_t spheres,
+  const std::function<void(std::atomic<double>& done)>& work)
 {
+  constexpr std::int64_t FewSpheres = 10'000;
   // How long Ctrl-C is not heard at most.
   constexpr std::chrono::milliseconds pause(20);
   std::atomic<double> done{ algorithm->GetProgress() };
@@ -28,6 +29,12 @@ void RunInterruptibly(
     }
   };
   ask();
+  if (spheres < FewSpheres)
+  {
+    const StoppedBy scope(stop);
+    work(done);
+    return;
+  }
   std::future<void> worker;
   try
   {
