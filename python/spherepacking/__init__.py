@@ -22,6 +22,7 @@ Functions, all in ``spherepacking``:
 from __future__ import annotations
 
 import importlib
+import sys
 
 TYPE_CHECKING = False  # as in typing, which is not imported for that alone
 if TYPE_CHECKING:
@@ -104,3 +105,15 @@ def __getattr__(name: str) -> object:
 
 def __dir__() -> list[str]:
     return sorted({*__all__, "__version__", *(name for name in globals() if name[:2] == "__")})
+
+
+def _has_been_imported(name: str) -> bool:
+    module = sys.modules.get(name)
+    return module is not None and not getattr(module.__spec__, "_initializing", False)
+
+
+# Upstream: PyVista 0.49 imports an accessor at its first use, and raises KeyError or AttributeError
+# where several threads use it first. Nobody waits for that where PyVista is there already.
+if _has_been_imported("pyvista"):
+    for _home in (".accessor", ".plotter"):
+        importlib.import_module(_home, __name__)

@@ -324,6 +324,7 @@ class PackingAccessor(BoxesOfPacking, GranularOfPacking, MetaballsOfPacking):
         denoise: bool = False,
         radius: RadiusLike | None = None,
         progress: bool = False,
+        stop: Callable[[], bool] | None = None,
     ) -> pv.ImageData:
         """Make a picture in the light of a sky and a sun, by following paths of light.
 
@@ -366,7 +367,8 @@ class PackingAccessor(BoxesOfPacking, GranularOfPacking, MetaballsOfPacking):
         tile : int or sequence of int, default: 64
             Width and height in pixels of the tiles in which the picture is made.
         time_budget : float, optional
-            Seconds after which no tile is begun any more; every pixel gets a sample at least.
+            Seconds after which no tile is begun any more. Every pixel gets a sample at least: the
+            time for that, and for what is prepared, is the least that it takes.
         preview : bool, default: False
             With `time_budget`, begin with one pixel in four, whose light ``color`` shows at the
             other three as well for as long as they have none.
@@ -391,6 +393,10 @@ class PackingAccessor(BoxesOfPacking, GranularOfPacking, MetaballsOfPacking):
             As in :meth:`with_radius`.
         progress : bool, default: False
             Show a progress bar. Ctrl-C stops the work with or without.
+        stop : callable, optional
+            Function without arguments that is asked after each tile, such as the ``is_set`` of a
+            :class:`threading.Event` that another thread sets. Once it is true, no tile is begun any
+            more, and the picture is returned as it is; ``samples`` is 0 where there is none.
 
         Returns
         -------
@@ -460,6 +466,7 @@ class PackingAccessor(BoxesOfPacking, GranularOfPacking, MetaballsOfPacking):
             sky_visible=sky_visible,
             denoise=denoise,
             progress=progress,
+            stop=stop,
         )
         look = Look(scalars, rgb, cmap, clim, log_scale, color, random_colors)
         return self._path_tracer.trace(self.with_radius(radius), camera, window_size, look, options)

@@ -12,6 +12,8 @@ from .checks import some_of
 if TYPE_CHECKING:
     import pyvista as pv
 
+    from .backend import vtkPolyData
+
 
 def no_such_array(argument: str, name: str, packing: pv.PolyData) -> KeyError:
     """Make the error that says which arrays there are."""
@@ -31,6 +33,39 @@ def no_such_array(argument: str, name: str, packing: pv.PolyData) -> KeyError:
         f"{argument}: the packing has no point array {name!r}{hint}, its point arrays are: {there}"
         f"{advice}"
     )
+
+
+def snapshot(packing: pv.PolyData) -> vtkPolyData:
+    """Share the points and arrays of a packing as they are now.
+
+    VTK works without Python's lock: what another thread replaces meanwhile would go away.
+
+    Parameters
+    ----------
+    packing : pyvista.PolyData
+        The packing.
+
+    Returns
+    -------
+    vtkPolyData
+        Another one, with the same arrays.
+    """
+    from .backend import vtkPolyData
+
+    shared = vtkPolyData()
+    shared.ShallowCopy(packing)
+    if packing.GetPoints() is not None:
+        # PyVista's packing.points = ... puts another array into the same vtkPoints. Theirs gets a
+        # twin of the array, on the same memory, since vtkPoints names an array that it is given,
+        # and that counts as a change.
+        coordinates = packing.GetPoints().GetData()
+        twin = coordinates.NewInstance()
+        twin.ShallowCopy(coordinates)
+        twin.shared_with = coordinates  # which may keep the memory of a NumPy array alive
+        points = packing.GetPoints().NewInstance()
+        points.SetData(twin)
+        shared.SetPoints(points)
+    return shared
 
 
 def check_radii(packing: pv.PolyData, name: str = "radius") -> None:
@@ -58,7 +93,7 @@ def check_radii(packing: pv.PolyData, name: str = "radius") -> None:
     if packing.n_points and name not in packing.point_data:
         raise no_such_array("radius", name, packing)
     check = vtkSpherePackingInput()
-    if check.FindRadii(packing, name) is None and (message := check.GetMessage()):
+    if check.FindRadii(snapshot(packing), name) is None and (message := check.GetMessage()):
         numeric = packing.point_data[name].dtype.kind in "iuf"
         raise (ValueError if numeric else TypeError)(f"radius: {message}")
 

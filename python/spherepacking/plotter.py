@@ -10,6 +10,7 @@ import pyvista as pv
 from . import checks
 from .datasets import packing_of, with_radii
 from .granular.plotter import GranularOfPlotter
+from .interrupts import InterruptsHeld
 from .look.color_map import color_map_of, widened
 from .look.look import Look
 from .look.material import property_of
@@ -243,13 +244,15 @@ class PackingComponent(GranularOfPlotter, MetaballsOfPlotter, PicturesOfPlotter)
         # Nothing has changed so far, and what comes does not fail.
         prop.color = plotter.renderer.next_color if plain is None or plain is True else plain
         prop.opacity = 1.0 if opacities.whole is None else opacities.whole
-        mapper = _mapper(
-            shown, plotter.theme, radius_name, values, opacities, prop.color, color_map, bar
-        )
-        actor = pv.Actor(mapper, prop)
-        actor.user_matrix = matrix
-        self._show_cell(cell, name, matrix, reset_camera)
-        self._show(actor, shown, bar, name, pickable, reset_camera, render)
+        # VTK calls Python functions of PyVista's, and takes KeyboardInterrupt for their failure.
+        with InterruptsHeld():
+            mapper = _mapper(
+                shown, plotter.theme, radius_name, values, opacities, prop.color, color_map, bar
+            )
+            actor = pv.Actor(mapper, prop)
+            actor.user_matrix = matrix
+            self._show_cell(cell, name, matrix, reset_camera)
+            self._show(actor, shown, bar, name, pickable, reset_camera, render)
         return actor
 
     def _show(
@@ -398,6 +401,7 @@ def _path_options(samples: int, light: dict[str, Any]) -> PathOptions:
         "preview",
         "sky_visible",
         "progress",
+        "stop",
     }
     if unknown := light.keys() - known:
         raise TypeError(

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-import signal
-import threading
 import time
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 from typing import TYPE_CHECKING, Protocol
+
+from .interrupts import Interruptible, InterruptsHeld, is_held
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
-    from types import FrameType, TracebackType
+    from types import TracebackType
     from typing import Any, Self
 
     import pyvista as pv
@@ -19,14 +19,8 @@ if TYPE_CHECKING:
     from .backend import vtkRenderWindow
 
 
-class Algorithm(Protocol):
+class Algorithm(Interruptible, Protocol):
     """What the algorithms of this package have in common: a vtkAlgorithm that keeps its error."""
-
-    def AddObserver(self, event: str, observer: Callable[..., None], /) -> int:
-        """Call `observer` at an event, and return a tag."""
-
-    def RemoveObserver(self, tag: int, /) -> None:
-        """Remove the observer of that tag."""
 
     def GetExecutive(self) -> Any:
         """Return the object that updates the pipeline."""
@@ -36,9 +30,6 @@ class Algorithm(Protocol):
 
     def GetProgress(self) -> float:
         """Return how much is done, from 0 to 1."""
-
-    def SetAbortExecute(self, stop: int, /) -> None:
-        """Ask it to stop."""
 
     def Update(self) -> None:
         """Run it, unless its output is up to date."""
@@ -56,7 +47,7 @@ class ErrorLog:
 
     VTK hands an error to the observers of the object that reports it, and prints it only when there
     are none. The pipeline's executive adds an error of its own to each failed update, so it is
-    observed as well.
+    observed as well. Ctrl-C in the block stops the algorithm, and the end of the block raises.
 
     Parameters
     ----------
@@ -76,8 +67,10 @@ class ErrorLog:
         self.messages: list[str] = []
         self._sources = (algorithm, algorithm.GetExecutive())
         self._tags: list[int] = []
+        self._interrupts = InterruptsHeld(algorithm)
 
     def __enter__(self) -> Self:
+        self._interrupts.__enter__()
         self._tags = [source.AddObserver("ErrorEvent", self) for source in self._sources]
         return self
 
@@ -89,6 +82,7 @@ class ErrorLog:
     ) -> None:
         for source, tag in zip(self._sources, self._tags, strict=True):
             source.RemoveObserver(tag)
+        self._interrupts.__exit__(kind, error, traceback)
 
     def __call__(self, _caller: object, _event: str, text: str) -> None:
         """Collect an error; VTK calls this."""
@@ -132,25 +126,60 @@ def update(algorithm: Algorithm, label: str, *, progress: bool) -> None:
     KeyboardInterrupt
         If Ctrl-C was pressed.
     """
-    with errors_raised(algorithm), progress_bar(algorithm, label, 0.0 if progress else None):
+    bar = progress_bar(algorithm, label) if progress else nullcontext()
+    with errors_raised(algorithm), bar:
         algorithm.Update()
+
+
+@contextmanager
+def stopped_by(algorithm: Algorithm, stop: Callable[[], bool] | None) -> Iterator[None]:
+    """Ask an algorithm that runs in the block to stop, once a function says so.
+
+    Parameters
+    ----------
+    algorithm : vtkAlgorithm
+        Algorithm that is updated in the block.
+    stop : callable, optional
+        Asked whenever there is progress, in the thread that runs the algorithm. What it raises
+        stops the algorithm as well, and is raised at the end of the block.
+    """
+    failures: list[Exception] = []
+
+    def ask(caller: Algorithm, _event: str) -> None:
+        try:
+            # At the begin, while things are prepared, there would be nothing to show.
+            stopped = bool(failures) or (caller.GetProgress() > 0.0 and stop is not None and stop())
+        except Exception as error:
+            failures.append(error)
+            stopped = True
+        if stopped:
+            caller.SetAbortExecute(1)
+
+    if stop is None:
+        yield
+        return
+    tag = algorithm.AddObserver("ProgressEvent", ask)
+    try:
+        yield
+    finally:
+        algorithm.RemoveObserver(tag)
+    if failures:
+        raise failures[0]
 
 
 class _Bar:
     """Observer of ProgressEvent that draws on stderr once the work has taken `delay` seconds."""
 
-    def __init__(self, label: str, delay: float | None) -> None:
+    def __init__(self, label: str, delay: float) -> None:
         self.label = label
-        self.show_after = float("inf") if delay is None else time.monotonic() + delay
+        self.show_after = time.monotonic() + delay
         # A bar that was not asked for leaves nothing behind.
-        self.transient = delay is None or delay > 0.0
+        self.transient = delay > 0.0
         self.progress: Progress | None = None
         self.task: TaskID | None = None
-        self.interrupted = False
 
     def __call__(self, algorithm: Algorithm, _event: str) -> None:
-        if self.interrupted:
-            algorithm.SetAbortExecute(1)
+        if is_held():
             return  # VTK reports a progress of 1 when it stops
         if self.progress is None or self.task is None:
             if time.monotonic() < self.show_after:
@@ -163,21 +192,14 @@ class _Bar:
             self.progress.start()
         self.progress.update(self.task, completed=algorithm.GetProgress())
 
-    def interrupt(self, _signal: int, _frame: FrameType | None) -> None:
-        # Upstream: VTK's vtkPythonCommand ends the process ("Caught a Ctrl-C within python, exiting
-        # program") when KeyboardInterrupt leaves an observer:
-        # https://github.com/marcomusy/vedo/issues/1101. So the algorithm is asked to stop, and the
-        # exception comes after that.
-        self.interrupted = True
-
     def stop(self) -> None:
         if self.progress is not None:
             self.progress.stop()
 
 
 @contextmanager
-def progress_bar(algorithm: Algorithm, label: str, delay: float | None = 0.0) -> Iterator[None]:
-    """Let Ctrl-C stop an algorithm that runs in the block, and show its progress on stderr.
+def progress_bar(algorithm: Algorithm, label: str, delay: float = 0.0) -> Iterator[None]:
+    """Show the progress of an algorithm that runs in the block on stderr.
 
     Parameters
     ----------
@@ -185,8 +207,8 @@ def progress_bar(algorithm: Algorithm, label: str, delay: float | None = 0.0) ->
         Algorithm that is updated in the block.
     label : str
         Text in front of the bar.
-    delay : float, optional
-        Seconds before the bar appears, so that short work shows none; None for no bar.
+    delay : float, default: 0.0
+        Seconds before the bar appears, so that short work shows none.
 
     Raises
     ------
@@ -194,15 +216,10 @@ def progress_bar(algorithm: Algorithm, label: str, delay: float | None = 0.0) ->
         If Ctrl-C was pressed meanwhile; the algorithm has been asked to stop.
     """
     bar = _Bar(label, delay)
-    tag = algorithm.AddObserver("ProgressEvent", bar)
-    main = threading.current_thread() is threading.main_thread()
-    previous = signal.signal(signal.SIGINT, bar.interrupt) if main else None
-    try:
-        yield
-    finally:
-        bar.stop()
-        algorithm.RemoveObserver(tag)
-        if main:
-            signal.signal(signal.SIGINT, previous)
-    if bar.interrupted:
-        raise KeyboardInterrupt
+    with InterruptsHeld(algorithm):
+        tag = algorithm.AddObserver("ProgressEvent", bar)
+        try:
+            yield
+        finally:
+            bar.stop()
+            algorithm.RemoveObserver(tag)

@@ -43,6 +43,17 @@ def test_stopped_later(file, monkeypatch, capsys):
     assert capsys.readouterr().err == "spherepacking: stopped\n"
 
 
+def test_out_of_memory(file, monkeypatch, capsys):
+    def describe(_packing):
+        raise MemoryError("Unable to allocate 9.5 GiB")
+
+    monkeypatch.setattr("spherepacking.cli.info.describe", describe)
+    assert main(["info", str(file)]) == 2
+    assert (
+        capsys.readouterr().err == "spherepacking: not enough memory: Unable to allocate 9.5 GiB\n"
+    )
+
+
 @pytest.mark.parametrize("command", ["info", "render"])
 def test_stopped_at_any_time(file, command):
     """Libraries that are being loaded may crash when Ctrl-C comes."""

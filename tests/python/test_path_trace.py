@@ -5,6 +5,7 @@ import os
 import signal
 import sys
 import threading
+import time
 
 import numpy as np
 import OpenImageIO as oiio
@@ -321,3 +322,66 @@ def test_denoising_comes_closer():
     assert np.abs(image["color"][:, :3] - 255 * encoded).max() <= 0.51
     # What was handed out before has its own colours.
     assert (noisy["color"] != image["color"]).any()
+
+
+def moving(camera):
+    """A function to be asked whether to stop, which moves the camera instead."""
+
+    def stop():
+        camera.azimuth += 30
+        return False
+
+    return stop
+
+
+def test_a_camera_that_is_moved_meanwhile(spheres):
+    camera = pv.Camera()
+    camera.position, camera.focal_point, camera.up = VIEW
+    expected = PackingAccessor(spheres).path_trace(VIEW, SIZE, samples=4)
+    image = PackingAccessor(spheres).path_trace(
+        camera, SIZE, samples=4, tile=8, stop=moving(camera)
+    )
+    assert np.linalg.norm(np.subtract(camera.position, VIEW[0])) > 0.1
+    assert np.allclose(image.field_data["camera"], VIEW)
+    assert (image["radiance"] == expected["radiance"]).all()
+
+
+def test_another_thread_stops_a_trace(spheres):
+    accessor = PackingAccessor(spheres)
+    stop = threading.Event()
+    timer = threading.Timer(0.3, stop.set)
+    timer.start()
+    start = time.perf_counter()
+    image = accessor.path_trace(VIEW, SIZE, samples=10_000_000, stop=stop.is_set)
+    timer.join()
+    assert time.perf_counter() - start < 5
+    assert 1 <= image["samples"].min() < 10_000_000
+    # It goes on from there, and what is finished is that of one go.
+    most = int(image["samples"].max())
+    again = accessor.path_trace(VIEW, SIZE, samples=most)
+    assert again.field_data["traced_samples"][0] < most * image.n_points
+    whole = PackingAccessor(spheres).path_trace(VIEW, SIZE, samples=most)
+    assert (again["radiance"] == whole["radiance"]).all()
+
+
+def test_a_trace_that_is_to_stop_at_once(spheres):
+    image = PackingAccessor(spheres).path_trace(
+        VIEW, SIZE, samples=10_000_000, tile=4, stop=lambda: True
+    )
+    assert image.n_points == SIZE[0] * SIZE[1]
+    # The tiles that are at work are finished, which are all where there are many cores.
+    assert 0 < image["samples"].max() <= 8
+    assert (image["color"][image["samples"] == 0] == 0).all()
+
+
+def test_what_stop_raises_is_raised(spheres):
+    accessor = PackingAccessor(spheres)
+
+    def stop():
+        raise ZeroDivisionError("of stop")
+
+    with pytest.raises(ZeroDivisionError, match="of stop"):
+        accessor.path_trace(VIEW, SIZE, samples=100, stop=stop)
+    with pytest.raises(TypeError, match="stop: found a bool, expected a function"):
+        accessor.path_trace(VIEW, SIZE, stop=True)
+    assert accessor.path_trace(VIEW, SIZE, samples=2)["samples"].min() == 2

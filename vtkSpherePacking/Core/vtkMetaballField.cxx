@@ -10,6 +10,7 @@
 #include "bridge/Limits.h"
 #include "bridge/PackingCharges.h"
 #include "bridge/RadiusArray.h"
+#include "bridge/RunInterruptibly.h"
 #include "bridge/SmpParallelFor.h"
 
 #include "vtkFloatArray.h"
@@ -91,7 +92,9 @@ void vtkMetaballField::SetNumberOfWeights(int number)
   const auto size = static_cast<std::size_t>(std::max(0, number));
   if (size != this->Weights.size())
   {
-    this->Weights.resize(size, 1.0);
+    const auto outOfMemory = []
+    { return std::string("weights: found more than fit in the memory that is free"); };
+    RunGuarded(this, this->ErrorMessage, outOfMemory, [&] { this->Weights.resize(size, 1.0); });
     this->Modified();
   }
 }
@@ -175,7 +178,7 @@ int vtkMetaballField::RequestInformation(
     grid = this->FindGrid(packing, spherepacking::RadiiOf(packing, this->RadiusArrayName));
   };
   // RequestData() meets the same error.
-  RunGuarded(this, this->ErrorMessage, this->OutOfMemory(), work, Report::Later);
+  RunGuarded(this, this->ErrorMessage, [this] { return this->OutOfMemory(); }, work, Report::Later);
   vtkInformation* info = outputs->GetInformationObject(0);
   const int extent[6] = { 0, grid.Dimensions[0] - 1, 0, grid.Dimensions[1] - 1, 0,
     grid.Dimensions[2] - 1 };
@@ -195,12 +198,16 @@ const GridGeometry& vtkMetaballField::FindGrid(vtkPolyData* packing, vtkDataArra
   if (this->Cached->Times != times)
   {
     this->Cached->Times.clear();
-    const PackingCharges charges(packing, radii, this->Count, this->Weights);
-    if (!charges.Empty())
+    const auto work = [&](std::atomic<double>&)
     {
-      spherepacking::CheckCoordinateRange(charges.Bounds);
-    }
-    this->Cached->Grid = spherepacking::ResolveGrid(this->Request(), charges);
+      const PackingCharges charges(packing, radii, this->Count, this->Weights);
+      if (!charges.Empty())
+      {
+        spherepacking::CheckCoordinateRange(charges.Bounds);
+      }
+      this->Cached->Grid = spherepacking::ResolveGrid(this->Request(), charges);
+    };
+    spherepacking::RunInterruptibly(this, packing->GetNumberOfPoints(), work);
     this->Cached->Times = times;
   }
   return this->Cached->Grid;
@@ -234,7 +241,8 @@ int vtkMetaballField::RequestData(
     // Else the executive would discard the blocks that are done.
     this->SetAbortOutput(false);
   };
-  if (RunGuarded(this, this->ErrorMessage, this->OutOfMemory(), work) == Outcome::Failed)
+  if (RunGuarded(
+        this, this->ErrorMessage, [this] { return this->OutOfMemory(); }, work) == Outcome::Failed)
   {
     output->Initialize();
     return 0;
@@ -275,17 +283,15 @@ FieldScene vtkMetaballField::Prepare(const PackingCharges& charges, const GridGe
   // A channel of a blend needs the field alone.
   const spherepacking::FieldWanted wanted{ !colors && this->ComputeGradient,
     !colors && this->ComputeStrongest };
-  const auto stoppable = [&](std::int64_t count, const std::function<void(std::int64_t)>& work)
-  {
-    this->UpdateProgress(this->GetProgress());
-    if (this->CheckAbort())
+  FieldScene scene;
+  const auto number = static_cast<std::int64_t>(spheres.size());
+  spherepacking::RunInterruptibly(this, number,
+    [&](std::atomic<double>&)
     {
-      throw AbortRequest();
-    }
-    spherepacking::SmpParallelFor()(count, work);
-  };
-  return spherepacking::PrepareField(static_cast<BlobKind>(this->Kernel), std::move(spheres),
-    this->RelativeError, grid, wanted, stoppable);
+      scene = spherepacking::PrepareField(static_cast<BlobKind>(this->Kernel), std::move(spheres),
+        this->RelativeError, grid, wanted, spherepacking::SmpParallelFor());
+    });
+  return scene;
 }
 
 //------------------------------------------------------------------------------

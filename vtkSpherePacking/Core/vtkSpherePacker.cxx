@@ -25,6 +25,9 @@ using namespace spherepacking;
 
 namespace
 {
+const auto OutOfMemory = []
+{ return std::string("count: not enough memory for so many spheres, expected fewer"); };
+
 double VolumeOf(const std::vector<PackedSphere>& spheres)
 {
   double volume = 0.0;
@@ -43,8 +46,7 @@ int vtkSpherePacker::RequestData(
   this->Interrupted = false;
   vtkPolyData* output = vtkPolyData::GetData(outputs);
   const auto work = [&] { this->Pack(vtkPolyData::GetData(inputs[0]), output); };
-  if (RunGuarded(this, this->ErrorMessage,
-        "count: not enough memory for so many spheres, expected fewer", work) == Outcome::Failed)
+  if (RunGuarded(this, this->ErrorMessage, OutOfMemory, work) == Outcome::Failed)
   {
     output->Initialize();
     return 0;

@@ -6,10 +6,17 @@
 #include "bridge/FieldData.h"
 #include "bridge/Guard.h"
 #include "bridge/RadiusArray.h"
+#include "bridge/RunInterruptibly.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkPolyData.h"
+
+namespace
+{
+const auto OutOfMemory = []
+{ return std::string("the boxes do not fit in the memory that is free, expected fewer"); };
+}
 
 //------------------------------------------------------------------------------
 int vtkSpherePackingBoxAlgorithm::RequestData(
@@ -18,7 +25,7 @@ int vtkSpherePackingBoxAlgorithm::RequestData(
   using spherepacking::Outcome;
   vtkPolyData* packing = vtkPolyData::GetData(inputs[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputs);
-  const auto work = [&]
+  const auto work = [&](std::atomic<double>&)
   {
     this->CheckOptions(packing->GetNumberOfPoints());
     vtkDataArray* radii = spherepacking::RadiiOf(packing, this->RadiusArrayName);
@@ -31,8 +38,8 @@ int vtkSpherePackingBoxAlgorithm::RequestData(
     spherepacking::AddFieldArray(output, "build_seconds", { watch.Seconds() });
     boxes.Write(output, this->BoxesAsLines);
   };
-  const Outcome outcome = spherepacking::RunGuarded(this, this->ErrorMessage,
-    "the boxes do not fit in the memory that is free, expected fewer", work);
+  const Outcome outcome = spherepacking::RunGuarded(this, this->ErrorMessage, OutOfMemory,
+    [&] { spherepacking::RunInterruptibly(this, packing->GetNumberOfPoints(), work); });
   return outcome == Outcome::Failed ? 0 : 1;
 }
 

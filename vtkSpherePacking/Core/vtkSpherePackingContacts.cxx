@@ -4,12 +4,12 @@
 #include "bridge/ContactOutput.h"
 #include "bridge/CoordinateRange.h"
 #include "bridge/Guard.h"
-#include "bridge/InterruptibleFor.h"
 #include "bridge/Limits.h"
 #include "bridge/MemoryLimit.h"
 #include "bridge/PackingCell.h"
 #include "bridge/PackingSpheres.h"
 #include "bridge/RadiusArray.h"
+#include "bridge/RunInterruptibly.h"
 #include "bridge/SmpParallelFor.h"
 #include "contacts/FindContacts.h"
 
@@ -25,14 +25,24 @@ vtkStandardNewMacro(vtkSpherePackingContacts);
 
 using namespace spherepacking;
 
+namespace
+{
+const auto OutOfMemory = []
+{ return std::string("gap: the contacts do not fit in the memory that is free, expected fewer"); };
+}
+
 //------------------------------------------------------------------------------
 int vtkSpherePackingContacts::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkPolyData* output = vtkPolyData::GetData(outputs);
-  const auto work = [&] { this->Find(vtkPolyData::GetData(inputs[0]), output); };
-  const Outcome outcome = RunGuarded(this, this->ErrorMessage,
-    "gap: the contacts do not fit in the memory that is free, expected fewer", work);
+  vtkPolyData* packing = vtkPolyData::GetData(inputs[0]);
+  const auto work = [&]
+  {
+    RunInterruptibly(this, packing->GetNumberOfPoints(),
+      [&](std::atomic<double>& done) { this->Find(packing, output, done); });
+  };
+  const Outcome outcome = RunGuarded(this, this->ErrorMessage, OutOfMemory, work);
   if (outcome != Outcome::Done)
   {
     output->Initialize();
@@ -41,7 +51,8 @@ int vtkSpherePackingContacts::RequestData(
 }
 
 //------------------------------------------------------------------------------
-void vtkSpherePackingContacts::Find(vtkPolyData* packing, vtkPolyData* output)
+void vtkSpherePackingContacts::Find(
+  vtkPolyData* packing, vtkPolyData* output, std::atomic<double>& done)
 {
   if (!(std::abs(this->Gap) <= MaxCoordinate))
   {
@@ -62,21 +73,17 @@ void vtkSpherePackingContacts::Find(vtkPolyData* packing, vtkPolyData* output)
   ContactWork work;
   work.For = SmpParallelFor();
   work.Most = std::floor(HalfOfMemory() / BytesPerContact);
-  work.Interruptible = [this](std::int64_t count, const std::function<void(std::int64_t)>& one)
+  work.Search = [&](std::int64_t count, const std::function<void(std::int64_t)>& one)
   {
-    const auto report = [this](std::int64_t, double fraction)
-    {
-      this->UpdateProgress(fraction);
-      return this->GetAbortExecute() != 0;
-    };
-    const std::vector<char> done = InterruptibleFor(count, one, report);
-    return std::count(done.begin(), done.end(), 0) == 0;
+    std::atomic<std::int64_t> number{ 0 };
+    work.For(count,
+      [&](std::int64_t i)
+      {
+        one(i);
+        done = static_cast<double>(++number) / static_cast<double>(count);
+      });
   };
   const HugeArray<Contact> contacts = FindContacts(spheres.Get(), this->Gap, images, work);
-  if (this->GetAbortExecute() != 0)
-  {
-    throw AbortRequest();
-  }
   WriteContacts(contacts, spheres.Get(), images, work.For, packing, output);
 }
 

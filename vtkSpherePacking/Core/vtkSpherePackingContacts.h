@@ -32,6 +32,8 @@
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkSpherePackingCoreModule.h" // for the export macro
 
+#include <atomic>
+#include <atomic> // for std::atomic
 #include <string> // for std::string
 
 class VTKSPHEREPACKINGCORE_EXPORT vtkSpherePackingContacts : public vtkPolyDataAlgorithm
@@ -72,7 +74,7 @@ private:
   vtkSpherePackingContacts(const vtkSpherePackingContacts&) = delete;
   void operator=(const vtkSpherePackingContacts&) = delete;
 
-  void Find(vtkPolyData* packing, vtkPolyData* output);
+  void Find(vtkPolyData* packing, vtkPolyData* output, std::atomic<double>& done);
 
   double Gap = 0.0;
   std::string RadiusArrayName = "radius";

@@ -5,12 +5,22 @@
 
 #include "vtkObjectFactory.h"
 
+#include <new>
+
 vtkStandardNewMacro(vtkSpherePackingInput);
 
 //------------------------------------------------------------------------------
 vtkDataArray* vtkSpherePackingInput::FindRadii(vtkPolyData* packing, const char* name)
 {
-  return spherepacking::FindRadii(packing, name, this->Message);
+  try
+  {
+    return spherepacking::FindRadii(packing, name, this->Message);
+  }
+  catch (const std::bad_alloc&)
+  {
+    this->Message = "out of memory"; // short enough for a std::string to hold it itself
+    return nullptr;
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -9,6 +9,7 @@
 #include "bridge/PathFilm.h"
 #include "bridge/PictureArrays.h"
 #include "bridge/PreparedScene.h"
+#include "bridge/SmpParallelFor.h"
 #include "bridge/TileLoop.h"
 #include "light/ToneMap.h"
 
@@ -18,7 +19,6 @@
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkSMPTools.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -306,11 +306,14 @@ bool vtkSpherePackingPathTracer::Develop(vtkFloatArray* radiance, vtkUnsignedCha
   {
     return false;
   }
-  color->SetNumberOfComponents(4);
-  color->SetNumberOfTuples(pixels);
-  this->ToneMap(radiance->GetPointer(0), color->GetPointer(0));
-  color->Modified();
-  return true;
+  const auto work = [&]
+  {
+    color->SetNumberOfComponents(4);
+    color->SetNumberOfTuples(pixels);
+    this->ToneMap(radiance->GetPointer(0), color->GetPointer(0));
+    color->Modified();
+  };
+  return this->RunWith(work);
 }
 
 //------------------------------------------------------------------------------
@@ -319,7 +322,7 @@ void vtkSpherePackingPathTracer::ToneMap(const float* radiance, unsigned char* c
   const spherepacking::PathFilm& film = *this->Film;
   const spherepacking::PathPicture& picture = film.Picture();
   const spherepacking::ToneMapper mapper(this->Exposure, this->Filmic);
-  vtkSMPTools::For(0, picture.Height,
+  spherepacking::SmpFor(0, picture.Height, 0,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType i = begin * picture.Width; i < end * picture.Width; ++i)

@@ -2,6 +2,7 @@
 #include "vtkSpherePackingReader.h"
 
 #include "bridge/Guard.h"
+#include "bridge/SetText.h"
 #include "io/PackingFileError.h"
 #include "io/PackingFormats.h"
 #include "io/Progress.h"
@@ -19,6 +20,7 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <cstddef>
+#include <new>
 #include <optional>
 #include <vector>
 
@@ -113,6 +115,24 @@ vtkSpherePackingReader::~vtkSpherePackingReader()
 }
 
 //------------------------------------------------------------------------------
+void vtkSpherePackingReader::SetFileName(const char* text)
+{
+  if (SetText(this->FileName, text, this->FileNameLost))
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkSpherePackingReader::SetColumns(const char* text)
+{
+  if (SetText(this->Columns, text, this->ColumnsLost))
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkSpherePackingReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -173,8 +193,8 @@ int vtkSpherePackingReader::RequestInformation(
     outInfo->Set(SDDP::TIME_RANGE(), range, 2);
   };
   // RequestData() meets the same error.
-  if (RunGuarded(this, this->ErrorMessage, this->OutOfMemory(), work, Report::Later) !=
-    Outcome::Done)
+  const auto outOfMemory = [this] { return this->OutOfMemory(); };
+  if (RunGuarded(this, this->ErrorMessage, outOfMemory, work, Report::Later) != Outcome::Done)
   {
     forget();
   }
@@ -201,7 +221,8 @@ int vtkSpherePackingReader::RequestData(
   vtkInformation* outInfo = outputVector->GetInformationObject(0);
   vtkPolyData* output = vtkPolyData::GetData(outInfo);
   const auto work = [&] { this->ReadFile(outInfo, output); };
-  if (RunGuarded(this, this->ErrorMessage, this->OutOfMemory(), work) == Outcome::Done)
+  if (RunGuarded(
+        this, this->ErrorMessage, [this] { return this->OutOfMemory(); }, work) == Outcome::Done)
   {
     return 1;
   }
@@ -216,6 +237,10 @@ int vtkSpherePackingReader::RequestData(
 void vtkSpherePackingReader::ReadFile(vtkInformation* outInfo, vtkPolyData* output)
 {
   this->RadiusName.clear();
+  if (this->FileNameLost || this->ColumnsLost)
+  {
+    throw std::bad_alloc();
+  }
   if (!this->FileName || !*this->FileName)
   {
     throw PackingFileError(

@@ -157,7 +157,7 @@ public:
   /**
    * The file to read. Default null, which is an error on update.
    */
-  vtkSetFilePathMacro(FileName);
+  virtual void SetFileName(VTK_FILEPATH const char* text);
   vtkGetFilePathMacro(FileName);
   ///@}
 
@@ -196,7 +196,7 @@ public:
    * or empty: they are found. Also names those of LAMMPS_DATA, of the section Atoms, and of XYZ
    * without Properties; with other formats the update is an error, and without x, y and z.
    */
-  vtkSetStringMacro(Columns);
+  virtual void SetColumns(const char* text);
   vtkGetStringMacro(Columns);
   ///@}
 
@@ -249,10 +249,12 @@ private:
   std::string OutOfMemory() const;
 
   char* FileName = nullptr;
+  bool FileNameLost = false; // there was no memory for it
   int Format = AUTO;
   int OutputPointsPrecision = DOUBLE_PRECISION;
   vtkIdType ChunkSize = 1 << 18;
   char* Columns = nullptr;
+  bool ColumnsLost = false;
   bool RadiusOptional = false;
   std::string ErrorMessage;
   std::string RadiusName;

@@ -7,6 +7,7 @@
 #include "bridge/MemoryLimit.h"
 #include "bridge/PictureArrays.h"
 #include "bridge/PreparedScene.h"
+#include "bridge/RunInterruptibly.h"
 #include "bridge/TileLoop.h"
 
 #include "vtkCamera.h"
@@ -35,8 +36,8 @@ using spherepacking::Tile;
 
 namespace
 {
-constexpr char OutOfMemory[] =
-  "the picture or the structure does not fit in the memory that is free";
+const auto OutOfMemory = []
+{ return std::string("the picture or the structure does not fit in the memory that is free"); };
 }
 
 //------------------------------------------------------------------------------
@@ -139,9 +140,13 @@ void vtkSpherePackingTracer::Check() const
 //------------------------------------------------------------------------------
 void vtkSpherePackingTracer::Prepare(vtkPolyData* packing)
 {
-  this->Prepared->Prepare(packing,
-    { this->RadiusArrayName.c_str(), static_cast<spherepacking::StructureKind>(this->Structure),
-      this->Cuts });
+  const spherepacking::StructureOptions options{ this->RadiusArrayName.c_str(),
+    static_cast<spherepacking::StructureKind>(this->Structure), this->Cuts };
+  if (!this->Prepared->IsUpToDate(packing, options))
+  {
+    spherepacking::RunInterruptibly(this, packing ? packing->GetNumberOfPoints() : 0,
+      [&](std::atomic<double>&) { this->Prepared->Prepare(packing, options); });
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -165,6 +170,12 @@ int vtkSpherePackingTracer::RequestData(
     this->Trace(vtkImageData::GetData(outputs));
   };
   return RunGuarded(this, this->ErrorMessage, OutOfMemory, work) == Outcome::Failed ? 0 : 1;
+}
+
+//------------------------------------------------------------------------------
+bool vtkSpherePackingTracer::RunWith(spherepacking::FunctionRef<void()> work)
+{
+  return RunGuarded(this, this->ErrorMessage, OutOfMemory, work) == Outcome::Done;
 }
 
 //------------------------------------------------------------------------------
@@ -237,7 +248,7 @@ spherepacking::CameraView vtkSpherePackingTracer::FindView() const
 
 //------------------------------------------------------------------------------
 vtkIdType vtkSpherePackingTracer::Cast(
-  const std::function<Ray()>& makeRay, double& t, double normal[3])
+  spherepacking::FunctionRef<Ray()> makeRay, double& t, double normal[3])
 {
   t = spherepacking::NoHit;
   std::fill_n(normal, 3, 0.0);
@@ -272,7 +283,7 @@ vtkIdType vtkSpherePackingTracer::Cast(
       std::copy_n(n, 3, normal);
     }
   };
-  RunGuarded(this, this->ErrorMessage, OutOfMemory, work);
+  this->RunWith(work);
   return id;
 }
 

@@ -41,9 +41,8 @@
 #include "vtkSmartPointer.h"            // for the camera and the colours
 #include "vtkSpherePackingCoreModule.h" // for the export macro
 
-#include <functional> // for rays that are still to be checked
-#include <memory>     // for std::unique_ptr
-#include <string>     // for std::string
+#include <memory> // for std::unique_ptr
+#include <string> // for std::string
 
 class vtkCamera;
 class vtkPolyData;
@@ -51,6 +50,8 @@ class vtkScalarsToColors;
 
 namespace spherepacking
 {
+template <typename Signature>
+class FunctionRef;
 class PreparedScene;
 struct CameraView;
 struct Ray;
@@ -200,6 +201,11 @@ protected:
   virtual double BytesPerPixel() const { return 28.0; }
 
   /**
+   * Runs `work` and returns whether it came to its end; what it throws becomes the error.
+   */
+  bool RunWith(spherepacking::FunctionRef<void()> work);
+
+  /**
    * Makes the picture, when all that it takes is there and has been checked.
    */
   virtual void Trace(vtkImageData* output);
@@ -216,7 +222,8 @@ private:
   void operator=(const vtkSpherePackingTracer&) = delete;
   void Prepare(vtkPolyData* packing);
   void UpdateColors(vtkPolyData* packing);
-  vtkIdType Cast(const std::function<spherepacking::Ray()>& makeRay, double& t, double normal[3]);
+  vtkIdType Cast(
+    spherepacking::FunctionRef<spherepacking::Ray()> makeRay, double& t, double normal[3]);
 
   vtkSmartPointer<vtkCamera> Camera;
   vtkSmartPointer<vtkScalarsToColors> LookupTable;

@@ -2,6 +2,7 @@
 #include "vtkSpherePackingWriter.h"
 
 #include "bridge/Guard.h"
+#include "bridge/SetText.h"
 #include "io/PackingFileError.h"
 #include "io/Progress.h"
 #include "io/WritePacking.h"
@@ -13,6 +14,8 @@
 #include "vtkPolyData.h"
 #include "vtkSpherePackingInput.h"
 #include "vtksys/SystemTools.hxx"
+
+#include <new>
 
 using namespace spherepacking;
 
@@ -50,6 +53,15 @@ vtkSpherePackingWriter::~vtkSpherePackingWriter()
 }
 
 //------------------------------------------------------------------------------
+void vtkSpherePackingWriter::SetFileName(const char* text)
+{
+  if (SetText(this->FileName, text, this->FileNameLost))
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkSpherePackingWriter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -75,7 +87,7 @@ int vtkSpherePackingWriter::Write()
     {
       throw CodedError(vtkErrorCode::UnknownError, "the writer has no input, expected a packing");
     };
-    RunGuarded(this, this->ErrorMessage, {}, work);
+    RunGuarded(this, this->ErrorMessage, [] { return std::string(); }, work);
     return 0;
   }
   this->Update();
@@ -87,9 +99,12 @@ int vtkSpherePackingWriter::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
   const auto work = [&] { this->WriteFile(vtkPolyData::GetData(inputVector[0])); };
-  const std::string file = this->FileName ? this->FileName : "FileName";
-  this->Written = RunGuarded(this, this->ErrorMessage, file + ": not enough memory to write it",
-                    work) == Outcome::Done;
+  const auto outOfMemory = [this]
+  {
+    return std::string(this->FileName ? this->FileName : "FileName") +
+      ": not enough memory to write it";
+  };
+  this->Written = RunGuarded(this, this->ErrorMessage, outOfMemory, work) == Outcome::Done;
   // 1 even after an error, since the executive would otherwise report another one.
   return 1;
 }
@@ -97,6 +112,10 @@ int vtkSpherePackingWriter::RequestData(
 //------------------------------------------------------------------------------
 void vtkSpherePackingWriter::WriteFile(vtkPolyData* packing)
 {
+  if (this->FileNameLost)
+  {
+    throw std::bad_alloc();
+  }
   if (!this->FileName || !*this->FileName)
   {
     throw PackingFileError(

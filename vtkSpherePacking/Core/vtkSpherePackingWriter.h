@@ -53,7 +53,7 @@ public:
   /**
    * The file to write. Default null, which is an error on writing.
    */
-  vtkSetFilePathMacro(FileName);
+  virtual void SetFileName(VTK_FILEPATH const char* text);
   vtkGetFilePathMacro(FileName);
   ///@}
 
@@ -110,6 +110,7 @@ private:
   void WriteFile(vtkPolyData* packing);
 
   char* FileName = nullptr;
+  bool FileNameLost = false; // there was no memory for it
   char* RadiusArrayName = nullptr;
   int Format = vtkSpherePackingReader::AUTO;
   bool SortByRadius = true;

@@ -122,6 +122,28 @@ void vtkOpenGLSpherePackingMapper::Fail(const std::string& message)
 }
 
 //------------------------------------------------------------------------------
+template <typename Work>
+void vtkOpenGLSpherePackingMapper::RunGuarded(const Work& work)
+{
+  // VTK's Python wrappers translate no exception, so it would end the process.
+  try
+  {
+    try
+    {
+      work();
+    }
+    catch (const std::bad_alloc&)
+    {
+      this->Fail("the spheres do not fit in the memory that is free");
+    }
+  }
+  catch (const std::bad_alloc&)
+  {
+    this->Impl->ErrorMessage = "out of memory"; // which the std::string holds itself
+  }
+}
+
+//------------------------------------------------------------------------------
 bool vtkOpenGLSpherePackingMapper::PrepareInput()
 {
   Internals& impl = *this->Impl;
@@ -150,10 +172,14 @@ void vtkOpenGLSpherePackingMapper::ComputeBounds()
 {
   vtkMath::UninitializeBounds(this->Bounds);
   this->CurrentInput = this->GetInput();
-  if (this->CurrentInput && this->PrepareInput())
-  {
-    vtkSpherePackingInput::ComputeBounds(this->CurrentInput, this->Impl->Radii, this->Bounds);
-  }
+  this->RunGuarded(
+    [&]
+    {
+      if (this->CurrentInput && this->PrepareInput())
+      {
+        vtkSpherePackingInput::ComputeBounds(this->CurrentInput, this->Impl->Radii, this->Bounds);
+      }
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -184,20 +210,16 @@ void vtkOpenGLSpherePackingMapper::RenderPiece(vtkRenderer* ren, vtkActor* act)
     this->GetInputAlgorithm()->Update();
   }
   this->InvokeEvent(vtkCommand::EndEvent, nullptr);
-  if (this->PrepareInput() && (this->Drawn || ren->GetSelector()))
-  {
-    try
+  this->RunGuarded(
+    [&]
     {
-      this->RenderPieceStart(ren, act);
-      this->RenderPieceDraw(ren, act);
-      this->RenderPieceFinish(ren, act);
-    }
-    catch (const std::bad_alloc&)
-    {
-      // VTK's Python wrappers translate no exception, so it would end the process.
-      this->Fail("the spheres do not fit in the memory that is free");
-    }
-  }
+      if (this->PrepareInput() && (this->Drawn || ren->GetSelector()))
+      {
+        this->RenderPieceStart(ren, act);
+        this->RenderPieceDraw(ren, act);
+        this->RenderPieceFinish(ren, act);
+      }
+    });
 }
 
 //------------------------------------------------------------------------------

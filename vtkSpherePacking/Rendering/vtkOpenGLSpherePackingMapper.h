@@ -129,6 +129,12 @@ private:
   void operator=(const vtkOpenGLSpherePackingMapper&) = delete;
 
   bool PrepareInput();
+
+  /**
+   * Runs `work`; that memory is lacking becomes the error message.
+   */
+  template <typename Work>
+  void RunGuarded(const Work& work);
   void Fail(const std::string& message);
   void DrawForward(vtkRenderer* ren, vtkActor* act);
   void DrawDeferred(vtkRenderer* ren, vtkActor* act);

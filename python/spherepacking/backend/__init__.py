@@ -9,6 +9,7 @@ than as PyVista's warning about a plugin that failed to load.
 from __future__ import annotations
 
 import importlib
+import os
 from typing import TYPE_CHECKING
 
 import pyvista as pv
@@ -64,6 +65,7 @@ if TYPE_CHECKING:
         reference,
         vtkAbstractArray,
         vtkDataArray,
+        vtkSMPTools,
         vtkUnsignedCharArray,
     )
     from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData
@@ -119,8 +121,11 @@ else:
     # How a number comes back from a C++ reference.
     _common_core = importlib.import_module(f"{VTK_ROOT}.vtkCommonCore")
     reference = _common_core.reference
+    vtkSMPTools = _common_core.vtkSMPTools
     vtkUnsignedCharArray = _common_core.vtkUnsignedCharArray
-    vtkDataObject = importlib.import_module(f"{VTK_ROOT}.vtkCommonDataModel").vtkDataObject
+    _data_model = importlib.import_module(f"{VTK_ROOT}.vtkCommonDataModel")
+    vtkDataObject = _data_model.vtkDataObject
+    vtkPolyData = _data_model.vtkPolyData
     vtkStreamingDemandDrivenPipeline = importlib.import_module(
         f"{VTK_ROOT}.vtkCommonExecutionModel"
     ).vtkStreamingDemandDrivenPipeline
@@ -147,3 +152,7 @@ else:
     vtkSpherePackingPicturePass = _rendering.vtkSpherePackingPicturePass
     vtkSpherePackingTiles = _rendering.vtkSpherePackingTiles
     vtkSpherePackingWindowCheck = _rendering.vtkSpherePackingWindowCheck
+
+if hasattr(os, "register_at_fork"):
+    # A forked child has none of the threads of VTK's pool, and would wait for them for ever.
+    os.register_at_fork(after_in_child=lambda: vtkSMPTools.SetBackend("Sequential"))

@@ -250,6 +250,9 @@ def main(arguments: list[str] | None = None) -> int:
     except (CycloptsError, OSError, ValueError, ImportError) as error:
         print(f"spherepacking: {' '.join(str(error).split())}", file=sys.stderr)
         return 2
+    except MemoryError as error:
+        print(f"spherepacking: not enough memory: {error}".rstrip(": "), file=sys.stderr)
+        return 2
     except KeyboardInterrupt:
         print("spherepacking: stopped", file=sys.stderr)
         return 128 + signal.SIGINT

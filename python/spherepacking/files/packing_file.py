@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import nullcontext
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -107,9 +108,9 @@ class _PlainFile:
             reader.set_active_time_point(index)
         # What was read before belongs to whoever asked for it.
         reader.reader.Modified()
-        delay = _BAR_DELAY if self._request.progress else None
+        bar = progress_bar(reader.reader, f"Reading {self._shown.name}", _BAR_DELAY)
         try:
-            with progress_bar(reader.reader, f"Reading {self._shown.name}", delay):
+            with bar if self._request.progress else nullcontext():
                 packing = reader.read()
         except PackingFileError as error:
             sentence = what_else(self._path)

@@ -117,10 +117,8 @@ class SpherePackingReader(pv.BaseReader, pv.TimeReader):  # type: ignore[type-ar
 
     def _find_steps(self) -> int:
         """Find the steps, and return how many there are."""
-        # What is wrong with the file is raised when it is read. VTK forgets a request to stop when
-        # it reads, and not when it looks for steps.
-        self.reader.SetAbortExecute(0)
-        with ErrorLog(self.reader), progress_bar(self.reader, "", None):
+        # What is wrong with the file is raised when it is read.
+        with ErrorLog(self.reader):
             self.reader.UpdateInformation()
         count: int = self.reader.GetStepTimes().GetNumberOfTuples()
         return count

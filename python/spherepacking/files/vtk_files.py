@@ -12,6 +12,7 @@ import numpy as np
 import pyvista as pv
 
 from ..datasets import centres_of, check_blocks, wrap
+from ..interrupts import InterruptsHeld
 from ..packing import no_such_array
 from ..radii import radius_name_in
 from .errors import PackingFileError
@@ -74,7 +75,8 @@ class VtkFile:
     def read(self, index: int) -> pv.PolyData:
         """Read the packing of a step."""
         algorithm = self._reader.reader
-        with errors_of_vtk(f"{self._path}: found no dataset that VTK can read"):
+        what = f"{self._path}: found no dataset that VTK can read"
+        with InterruptsHeld(algorithm), errors_of_vtk(what):
             if self.times:
                 algorithm.UpdateTimeStep(self.times[index])
             else:
@@ -180,20 +182,21 @@ def errors_of_vtk(what: str) -> Iterator[None]:
         If VTK reports an error, or whatever else is raised in the block.
     """
     failure: Exception | None = None
-    logging.disable(logging.CRITICAL)
-    try:
-        with (
-            pv.vtk_verbosity("off"),
-            pv.VtkErrorCatcher() as caught,
-            warnings.catch_warnings(),
-        ):
-            warnings.simplefilter("ignore")
-            try:
-                yield
-            except Exception as error:  # readers raise all kinds
-                failure = error
-    finally:
-        logging.disable(logging.NOTSET)
+    with InterruptsHeld():
+        logging.disable(logging.CRITICAL)
+        try:
+            with (
+                pv.vtk_verbosity("off"),
+                pv.VtkErrorCatcher() as caught,
+                warnings.catch_warnings(),
+            ):
+                warnings.simplefilter("ignore")
+                try:
+                    yield
+                except Exception as error:  # readers raise all kinds
+                    failure = error
+        finally:
+            logging.disable(logging.NOTSET)
     said = [event.alert for event in caught.events if event.kind.upper() == "ERROR"]
     if failure is not None or said:
         # What comes first is the cause.

@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING
 import pyvista as pv
 
 from ..datasets import packing_of, with_radii, wrap
+from ..interrupts import InterruptsHeld
+from ..packing import snapshot
 from ..vtk_tools import errors_raised
 from .errors import PackingFileError
 from .replace import check_replaceable
@@ -118,7 +120,7 @@ def write(
         return
     writer = vtkSpherePackingWriter()
     writer.SetFileName(str(path))
-    writer.SetInputData(spheres)
+    writer.SetInputData(snapshot(spheres))
     with errors_raised(writer, PackingFileError):
         writer.Write()
 
@@ -127,7 +129,11 @@ def _write_by_vtk(packing: pv.PolyData, path: Path) -> None:
     """Write a file of VTK, which appears under its name when it is complete."""
     target = check_replaceable(path)
     saved = packing.cast_to_unstructured_grid() if path.suffix.lower() == ".vtu" else packing
-    with TemporaryDirectory(dir=target.parent, prefix=".spherepacking-") as folder:
+    # Ctrl-C comes when the folder has gone again.
+    with (
+        InterruptsHeld(),
+        TemporaryDirectory(dir=target.parent, prefix=".spherepacking-") as folder,
+    ):
         part = Path(folder) / f"part{path.suffix.lower()}"
         with errors_of_vtk(f"{path}: the file cannot be written"):
             saved.save(part)

@@ -8,7 +8,8 @@ import numpy as np
 import pyvista as pv
 
 from .. import checks
-from ..packing import check_radii
+from ..interrupts import interrupts_held
+from ..packing import check_radii, snapshot
 from ..vtk_tools import update
 from .cell import cell_of, find_cell, set_cell
 
@@ -19,6 +20,7 @@ if TYPE_CHECKING:
 _GAP_LIMITS = checks.Limits(-1e30, 1e30)
 
 
+@interrupts_held
 def contacts_of(
     packing: pv.PolyData,
     gap: float,
@@ -35,7 +37,7 @@ def contacts_of(
     check_radii(packing)
     find_cell(packing)
     finder = vtkSpherePackingContacts()
-    finder.SetInputData(packing)
+    finder.SetInputData(snapshot(packing))
     finder.SetGap(gap)
     update(finder, "Finding contacts", progress=progress)
     return pv.wrap(finder.GetOutput())

@@ -9,6 +9,7 @@ import numpy as np
 import pyvista as pv
 
 from ..checks import color_of, flag_of
+from ..interrupts import InterruptsHeld
 from ..packing import content_hash
 from .color_map import color_map_of
 from .scalars import scalars_of
@@ -144,10 +145,12 @@ def _mapped(packing: pv.PolyData, scalars: Scalars, color_map: ColorMap) -> vtkD
     """RGBA of each sphere, as the mapper would draw it."""
     from ..draw.mapper import SpherePackingMapper
 
-    mapper = SpherePackingMapper(packing.copy(deep=False), pv.global_theme, "radius")
-    mapper.set_scalars(scalars.values, scalars.name, rgb=scalars.rgb, **color_map.kwargs())
-    # PyVista puts a producer before the mapper, which makes the scalars the active ones.
-    mapper.GetInputAlgorithm().Update()
-    colors = mapper.MapScalars(1.0)
+    # PyVista puts a producer of its own, in Python, before the mapper, which makes the scalars the
+    # active ones. VTK calls it, and takes KeyboardInterrupt for its failure.
+    with InterruptsHeld():
+        mapper = SpherePackingMapper(packing.copy(deep=False), pv.global_theme, "radius")
+        mapper.set_scalars(scalars.values, scalars.name, rgb=scalars.rgb, **color_map.kwargs())
+        mapper.GetInputAlgorithm().Update()
+        colors = mapper.MapScalars(1.0)
     colors.SetName("spherepacking colors")
     return colors

@@ -8,6 +8,7 @@ import numpy as np
 import pyvista as pv
 
 from .. import checks
+from ..packing import snapshot
 from ..vtk_tools import update
 
 
@@ -90,7 +91,7 @@ def pack(
             "makes one of other meshes"
         )
     packer = vtkSpherePacker()
-    packer.SetInputData(mesh)
+    packer.SetInputData(snapshot(mesh))
     packer.SetNumberOfSpheres(checks.count_of("count", count))
     packer.SetSeed(checks.count_of("seed", seed, 0))
     if min_radius is not None:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .. import checks
-from ..packing import check_radii
+from ..packing import check_radii, snapshot
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -77,7 +77,7 @@ def field_filter(
         check_radii(packing)
     kernel = checks.one_of("kernel", options.kernel, KERNELS)
     algorithm = vtkMetaballField()
-    algorithm.SetInputData(packing)
+    algorithm.SetInputData(snapshot(packing))
     algorithm.SetKernel(KERNELS.index(kernel))
     _set_grid(algorithm, options)
     if threshold is not None:

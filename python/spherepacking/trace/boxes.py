@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING
 import pyvista as pv
 
 from .. import checks
-from ..packing import check_radii
+from ..interrupts import interrupts_held
+from ..packing import check_radii, snapshot
 from ..vtk_tools import errors_raised
 
 if TYPE_CHECKING:
@@ -167,13 +168,14 @@ class BoxesOfPacking:
         return _boxes_of(grid, self.with_radius(radius), as_lines)
 
 
+@interrupts_held
 def _boxes_of(
     algorithm: vtkSpherePackingBoxAlgorithm, packing: pv.PolyData, as_lines: bool
 ) -> pv.PolyData:
     """Output of a filter from packings to boxes, or an exception."""
     if packing.n_points:
         check_radii(packing)
-    algorithm.SetInputData(packing)
+    algorithm.SetInputData(snapshot(packing))
     algorithm.SetBoxesAsLines(checks.flag_of("as_lines", as_lines))
     with errors_raised(algorithm):
         algorithm.Update()

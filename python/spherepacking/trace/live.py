@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import _thread
-import threading
 import time
 import weakref
 from dataclasses import replace
@@ -12,9 +10,13 @@ from typing import TYPE_CHECKING, NamedTuple
 import pyvista as pv
 
 from .. import checks
+from ..interrupts import InterruptsOfPicture, deliver_after, held_in, is_held
 from ..packing import modified_times
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import Any
+
     from ..backend import vtkRenderPass, vtkRenderStepsPass
     from ..look.look import Look
     from .path_trace import PathOptions, PathTracer
@@ -94,8 +96,10 @@ class LivePicture:
         self._rendered_view: View | None = None
         self._moved = 0.0  # when the view last differed from that of the rendering before
         self._complete = False
-        self._tags = [(plotter.renderer, plotter.renderer.AddObserver("StartEvent", self._before))]
+        self._tags: list[tuple[Any, int]] = []
         self._timer: int | None = None
+        self._interrupts = InterruptsOfPicture()
+        self._observe(plotter.renderer, "StartEvent", self._before)
 
     @property
     def shown(self) -> bool:
@@ -130,6 +134,7 @@ class LivePicture:
         if self._renderer is None or self._tracer is None or self._packing is None:
             raise RuntimeError("this picture has been closed, make a new one")
         _check_texture(self._renderer)
+        before = self._present_view()
         image = self._tracer.trace(
             self._packing,
             self._renderer.camera,
@@ -142,8 +147,10 @@ class LivePicture:
         for name in ("color", "depth"):
             picture.GetPointData().AddArray(image.GetPointData().GetArray(name))
         self._picture.SetPicture(picture)
-        # After tracing, which may have found changes that VTK did not know of.
-        self._shown_view = self._present_view()
+        # Tracing may have found changes that VTK did not know of; the camera is that of the begin.
+        after = self._present_view()
+        if before is not None and after is not None:
+            self._shown_view = before._replace(packing=after.packing, look=after.look)
         self.samples = int(image["samples"].min())
         # With a noise target parts of the picture get fewer.
         nothing_left = seconds is None or image.field_data["traced_samples"][0] == 0.0
@@ -157,6 +164,7 @@ class LivePicture:
         for source, tag in self._tags:
             source.RemoveObserver(tag)
         self._tags.clear()
+        self._interrupts.close()
         plotter = self._plotter()
         if self._timer is not None and plotter is not None and plotter.iren is not None:
             plotter.iren.destroy_timer(self._timer)
@@ -203,8 +211,10 @@ class LivePicture:
             and self.actor.prop.opacity == 1.0
         )
 
+    @held_in
     def _before(self, *_: object) -> None:
         """Decide before each rendering who shows the spheres."""
+        self._interrupts.renew()
         plotter = self._plotter()
         if plotter is None or self._renderer is None:
             return
@@ -217,6 +227,9 @@ class LivePicture:
         elif usable:
             # Of a finished picture the tracer finds that nothing is left to do.
             self._refine_in_vtk(None)
+        if is_held():
+            # The rendering comes to its end at once; the next one shows the spheres.
+            self._renderer.GetRenderWindow().SetAbortRender(1)
         shown = usable and self.shown
         self.actor.mapper.SetDrawn(not shown)
         if not shown:
@@ -224,14 +237,21 @@ class LivePicture:
             self._shown_view = None
             self.samples = 0
 
+    def _observe(self, source: Any, event: str, observer: Callable[..., None]) -> None:
+        """Let VTK call an observer, after which Ctrl-C is raised where VTK was called."""
+        # Of two observers of one priority VTK calls the later one first.
+        self._tags.append((source, source.AddObserver(event, observer)))
+        self._tags.append((source, source.AddObserver(event, deliver_after(), -1.0)))
+
     def _start_timer(self, plotter: pv.BasePlotter) -> None:
         if self._timer is not None or plotter.iren is None or not plotter.iren.initialized:
             return
-        interactor = plotter.iren.interactor
-        self._tags.append((interactor, interactor.AddObserver("TimerEvent", self._tick)))
+        self._observe(plotter.iren.interactor, "TimerEvent", self._tick)
         self._timer = plotter.iren.create_timer(_TICK, repeating=True)
 
+    @held_in
     def _tick(self, *_: object) -> None:
+        self._interrupts.renew()
         plotter = self._plotter()
         if plotter is None or self._renderer is None or self.error is not None:
             return
@@ -239,20 +259,22 @@ class LivePicture:
         rests = same and time.perf_counter() - self._moved >= _REST
         if rests and self._usable() and not self.finished:
             self._refine_in_vtk(self._step)
-            plotter.render()
+            if not is_held():
+                plotter.render()
+        if is_held() and plotter.iren is not None:
+            # Else the interactor would go on, and call the next observer.
+            plotter.iren.terminate_app()
 
     def _refine_in_vtk(self, seconds: float | None) -> None:
         """Refine inside a call of VTK, and let no exception leave it."""
         self.error = None
         try:
             self.refine(seconds)
-        except KeyboardInterrupt:
-            # Upstream: VTK's vtkPythonCommand ends the process when KeyboardInterrupt leaves an
-            # observer: https://github.com/marcomusy/vedo/issues/1101. So it comes once more, when
-            # VTK has returned.
-            threading.Timer(0.3, _thread.interrupt_main).start()
         except (KeyError, OSError, TypeError, ValueError) as error:
             self.error = error
+        except BaseException as error:
+            if not is_held(error):
+                raise
 
 
 def _check_texture(renderer: pv.Renderer) -> None:

@@ -9,12 +9,13 @@ import numpy as np
 import pyvista as pv
 
 from .. import checks
+from ..interrupts import interrupts_held
 from .denoise import denoised, denoiser
 from .prepared import PreparedTracer
 from .sky import set_sky, set_sun, sky_of, sun_of
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Sequence
 
     from ..backend import vtkSpherePackingPathTracer
     from ..look.look import Look
@@ -47,6 +48,7 @@ class PathOptions:
     sky_visible: bool = True
     denoise: bool = False
     progress: bool = False
+    stop: Callable[[], bool] | None = None
 
 
 class PathTracer:
@@ -57,6 +59,7 @@ class PathTracer:
             _make_tracer, "tracing paths", white_by_default=True, hash_contents=True
         )
 
+    @interrupts_held
     def trace(
         self,
         packing: pv.PolyData,
@@ -70,9 +73,16 @@ class PathTracer:
         with prepared.lock:
             tracer = prepared.prepare(packing, camera, window_size, options.structure, options.cuts)
             _set_options(tracer, options)
+            if options.stop is not None and not callable(options.stop):
+                raise TypeError(
+                    f"stop: found {checks.kind_of(options.stop)}, expected a function, such as "
+                    "threading.Event().is_set"
+                )
             if checks.flag_of("denoise", options.denoise):
                 denoiser()  # that it is missing is said before any path is traced
-            image = prepared.run(tracer, packing, options.tile, look, options.progress)
+            image = prepared.run(
+                tracer, packing, options.tile, look, options.progress, options.stop
+            )
             _note_origin(tracer, image)
             # A preview, of which three quarters are dark, looks like a dark picture.
             if options.denoise and image["samples"].all():

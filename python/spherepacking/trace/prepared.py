@@ -9,13 +9,13 @@ import numpy as np
 import pyvista as pv
 
 from .. import checks
-from ..packing import ChangeDetector, check_radii
-from ..vtk_tools import update
+from ..packing import ChangeDetector, check_radii, snapshot
+from ..vtk_tools import stopped_by, update
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
-    from ..backend import vtkCamera, vtkDataArray, vtkSpherePackingTracer
+    from ..backend import vtkCamera, vtkDataArray, vtkPolyData, vtkSpherePackingTracer
     from ..look.look import Look
 
     type CameraLike = pv.Camera | vtkCamera | Sequence[Sequence[float]]
@@ -60,6 +60,7 @@ class PreparedTracer[Tracer: vtkSpherePackingTracer]:
         self._hash_contents = hash_contents
         self._changes = ChangeDetector(hash_contents=hash_contents)
         self._tracer: Tracer | None = None
+        self._spheres: vtkPolyData
         # When the centres and radii of the tracer were last changed, and what its colours depend
         # on: checking and colouring again take as long as casting rays.
         self._geometry: tuple[int, int, int] | None = None
@@ -75,11 +76,15 @@ class PreparedTracer[Tracer: vtkSpherePackingTracer]:
         cuts: int | None = None,
     ) -> Tracer:
         """Check the arguments and hand them to the tracer."""
+        from ..backend import vtkCamera
+
         structure = checks.one_of("structure", structure, STRUCTURES)
         if cuts is not None:
             cuts = checks.count_of("cuts", cuts, least=0)
         size = checks.size_of("window_size", window_size, most=checks.LARGEST_TRACED_SIDE)
-        camera = camera_of(camera)
+        view = vtkCamera()
+        # Whoever moves the camera while the picture is made means the next one.
+        view.DeepCopy(camera_of(camera))
         if self._tracer is not None and not self._hash_contents:
             self._tracer.NoticeChanges()
         times = self._changes.modified_times(packing)
@@ -93,9 +98,10 @@ class PreparedTracer[Tracer: vtkSpherePackingTracer]:
         tracer = self._tracer
         if self._geometry is None:
             # Shares the arrays; the packing itself would be kept alive by its own accessor.
-            tracer.SetInputData(packing.copy(deep=False))
+            self._spheres = snapshot(packing)
+            tracer.SetInputData(self._spheres)
             self._geometry = geometry
-        tracer.SetCamera(camera)
+        tracer.SetCamera(view)
         tracer.SetWindowSize(size)
         tracer.SetStructure(STRUCTURES.index(structure))
         tracer.SetCuts(-1 if cuts is None else cuts)
@@ -108,6 +114,7 @@ class PreparedTracer[Tracer: vtkSpherePackingTracer]:
         tile: Sequence[int] | int | None,
         look: Look,
         progress: bool,
+        stop: Callable[[], bool] | None = None,
     ) -> pv.ImageData:
         """Make a picture with the tracer that :meth:`prepare` returned."""
         tracer.SetTileSize(_tile_of(tile))
@@ -118,9 +125,8 @@ class PreparedTracer[Tracer: vtkSpherePackingTracer]:
             self._look_key = key
         # The picture of the last time belongs to whoever asked for it.
         tracer.Modified()
-        # That it was stopped holds for the last time alone.
-        tracer.SetAbortExecute(0)
-        update(tracer, self._label, progress=progress)
+        with stopped_by(tracer, stop):
+            update(tracer, self._label, progress=progress)
         image = pv.ImageData()
         image.ShallowCopy(tracer.GetOutput())
         return image
@@ -140,7 +146,8 @@ class PreparedTracer[Tracer: vtkSpherePackingTracer]:
             values, known = pv.convert_array(colors), pv.convert_array(before)
             if np.array_equal(values, known):
                 self._colors = colors = before
-        data = packing.copy(deep=False)
+        data = self._spheres.NewInstance()
+        data.ShallowCopy(self._spheres)
         data.GetPointData().AddArray(colors)
         tracer.SetInputData(data)
         tracer.SetColorArrayName(colors.GetName())

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from .. import checks
+from ..interrupts import interrupts_held
 from ..vtk_tools import errors_raised
 from .prepared import PreparedTracer
 
@@ -44,6 +45,7 @@ class RayCaster:
     def __init__(self) -> None:
         self._prepared = PreparedTracer(_make_tracer, "casting rays")
 
+    @interrupts_held
     def cast(
         self,
         packing: pv.PolyData,
@@ -64,6 +66,7 @@ class RayCaster:
             tracer.SetSamples(samples)
             return self._prepared.run(tracer, packing, tile, look, progress)
 
+    @interrupts_held
     def pick(
         self,
         packing: pv.PolyData,

@@ -21,40 +21,55 @@ struct ErrorCodeOf : vtkAlgorithm
 }
 
 //------------------------------------------------------------------------------
-Outcome RunGuarded(vtkAlgorithm* algorithm, std::string& message, const std::string& outOfMemory,
-  const std::function<void()>& work, Report report)
+Outcome RunGuarded(vtkAlgorithm* algorithm, std::string& message,
+  FunctionRef<std::string()> outOfMemory, FunctionRef<void()> work, Report report)
 {
   message.clear();
   unsigned long code = vtkErrorCode::NoError;
   Outcome outcome = Outcome::Failed;
   try
   {
-    work();
-    outcome = Outcome::Done;
-  }
-  catch (const AbortRequest&)
-  {
-    outcome = Outcome::Aborted;
+    try
+    {
+      work();
+      outcome = Outcome::Done;
+    }
+    catch (const AbortRequest&)
+    {
+      outcome = Outcome::Aborted;
+    }
+    catch (const std::bad_alloc&)
+    {
+      code = vtkErrorCode::UserError;
+      message = outOfMemory();
+    }
+    catch (const CodedError& error)
+    {
+      code = error.Code;
+      message = error.what();
+    }
+    catch (const std::exception& error)
+    {
+      code = vtkErrorCode::UserError;
+      message = error.what();
+    }
   }
   catch (const std::bad_alloc&)
   {
-    message = outOfMemory;
-    code = vtkErrorCode::UserError;
-  }
-  catch (const CodedError& error)
-  {
-    message = error.what();
-    code = error.Code;
-  }
-  catch (const std::exception& error)
-  {
-    message = error.what();
-    code = vtkErrorCode::UserError;
+    // Not even the sentence; this one is short enough for a std::string to hold it itself.
+    message = "out of memory";
   }
   ErrorCodeOf::Set(algorithm, code);
   if (outcome == Outcome::Failed && report == Report::Now)
   {
-    vtkErrorWithObjectMacro(algorithm, << message);
+    try
+    {
+      vtkErrorWithObjectMacro(algorithm, << message);
+    }
+    catch (const std::bad_alloc&)
+    {
+      // VTK cannot print it; the message and the code are there for whoever asks.
+    }
   }
   return outcome;
 }

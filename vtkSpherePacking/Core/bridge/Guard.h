@@ -3,8 +3,9 @@
 #ifndef Guard_h
 #define Guard_h
 
+#include "base/FunctionRef.h"
+
 #include <chrono>
-#include <functional>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -47,11 +48,11 @@ enum class Report
 };
 
 /// Runs `work` so that no exception leaves it: VTK's Python wrappers do not translate any, so one
-/// would end the process. The sentence of an exception, or `outOfMemory` for a std::bad_alloc,
-/// becomes `message`, goes to vtkErrorMacro of the algorithm, and sets its error code; otherwise
-/// the message is empty and there is no error code.
-Outcome RunGuarded(vtkAlgorithm* algorithm, std::string& message, const std::string& outOfMemory,
-  const std::function<void()>& work, Report report = Report::Now);
+/// would end the process. The sentence of an exception, or that of `outOfMemory` for a
+/// std::bad_alloc, becomes `message`, goes to vtkErrorMacro of the algorithm, and sets its error
+/// code; otherwise the message is empty and there is no error code.
+Outcome RunGuarded(vtkAlgorithm* algorithm, std::string& message,
+  FunctionRef<std::string()> outOfMemory, FunctionRef<void()> work, Report report = Report::Now);
 
 /// Throws the std::invalid_argument "NAME: found FOUND, expected EXPECTED".
 template <typename Value>

@@ -5,6 +5,7 @@
 #include "bridge/ColorArrays.h"
 #include "bridge/FieldData.h"
 #include "bridge/NewArrays.h"
+#include "bridge/SmpParallelFor.h"
 #include "bridge/VectorArrays.h"
 
 #include "vtkCellArray.h"
@@ -56,7 +57,7 @@ void SetVertices(vtkCellArray* vertices, vtkIdType count)
   vtkNew<IndexArrayT> indices;
   indices->SetNumberOfValues(count);
   ValueT* values = indices->GetPointer(0);
-  vtkSMPTools::For(0, count, vtkSMPTools::THRESHOLD, [values](vtkIdType first, vtkIdType last)
+  SmpFor(0, count, vtkSMPTools::THRESHOLD, [values](vtkIdType first, vtkIdType last)
     { std::iota(values + first, values + last, static_cast<ValueT>(first)); });
   vertices->SetData(1, indices);
 }

@@ -3,12 +3,12 @@
 
 #include "base/MixBits.h"
 #include "bridge/PictureArrays.h"
+#include "bridge/SmpParallelFor.h"
 
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
 #include "vtkPointData.h"
-#include "vtkSMPTools.h"
 #include "vtkTypeInt64Array.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnsignedIntArray.h"
@@ -54,7 +54,7 @@ std::uint64_t HashOf(const char* bytes, std::size_t length)
 {
   constexpr std::size_t part = 1 << 16;
   std::atomic<std::uint64_t> sum{ 0 };
-  vtkSMPTools::For(0, static_cast<vtkIdType>((length + part - 1) / part), 16,
+  SmpFor(0, static_cast<vtkIdType>((length + part - 1) / part), 16,
     [&](vtkIdType first, vtkIdType last)
     {
       for (vtkIdType i = first; i < last; ++i)

@@ -85,8 +85,9 @@ SphereSamples SamplesOf(vtkDataArray* points, vtkDataArray* radii)
 }
 
 //------------------------------------------------------------------------------
-bool PreparedScene::IsUpToDate(const SpheresState& state, const StructureOptions& options) const
+bool PreparedScene::IsUpToDate(vtkPolyData* packing, const StructureOptions& options) const
 {
+  const SpheresState state = StateOf(packing, options.RadiusArrayName);
   return state.Radii && state == this->Made && options.Kind == this->Kind &&
     options.Cuts == this->Cuts;
 }
@@ -95,10 +96,6 @@ bool PreparedScene::IsUpToDate(const SpheresState& state, const StructureOptions
 void PreparedScene::Prepare(vtkPolyData* packing, const StructureOptions& options)
 {
   const SpheresState state = StateOf(packing, options.RadiusArrayName);
-  if (this->IsUpToDate(state, options))
-  {
-    return;
-  }
   vtkDataArray* radii = RadiiOf(packing, options.RadiusArrayName);
   *this = PreparedScene();
   if (!radii)

@@ -75,6 +75,9 @@ struct SphereSamples
 class PreparedScene
 {
 public:
+  /// Whether it was prepared for this packing as it is now.
+  bool IsUpToDate(vtkPolyData* packing, const StructureOptions& options) const;
+
   /// Takes the packing's spheres and builds the structure. What is wrong with them or with the
   /// options is a std::invalid_argument.
   void Prepare(vtkPolyData* packing, const StructureOptions& options);
@@ -93,8 +96,6 @@ public:
 
 private:
   void Build(vtkPolyData* packing, vtkDataArray* radii, const StructureOptions& options);
-
-  bool IsUpToDate(const SpheresState& state, const StructureOptions& options) const;
 
   SpheresState Made;
   SphereSamples Samples; ///< of what was there then

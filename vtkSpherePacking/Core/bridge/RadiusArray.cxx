@@ -3,6 +3,7 @@
 
 #include "bridge/Guard.h"
 #include "bridge/Limits.h"
+#include "bridge/SmpParallelFor.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataArrayRange.h"
@@ -12,12 +13,12 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSMPThreadLocal.h"
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <new>
 #include <sstream>
 #include <stdexcept>
 
@@ -54,7 +55,7 @@ struct FirstBadValue
   {
     const auto values = vtk::DataArrayValueRange(array);
     vtkSMPThreadLocal<vtkIdType> firsts(this->Index);
-    vtkSMPTools::For(0, values.size(),
+    SmpFor(0, values.size(), 0,
       [&](vtkIdType begin, vtkIdType end)
       {
         vtkIdType& first = firsts.Local();
@@ -84,39 +85,54 @@ struct FirstBadValue
 
 struct SphereBounds
 {
+  using Bounds = std::array<double, 6>;
+
   template <typename PointsT, typename RadiiT>
   void operator()(PointsT* points, RadiiT* radii, double bounds[6])
   {
     const auto centers = vtk::DataArrayTupleRange<3>(points);
     const auto r = vtk::DataArrayValueRange<1>(radii);
     const double inf = std::numeric_limits<double>::infinity();
-    const std::array<double, 6> empty{ inf, -inf, inf, -inf, inf, -inf };
-    vtkSMPThreadLocal<std::array<double, 6>> locals(empty);
-    vtkSMPTools::For(0, centers.size(),
-      [&](vtkIdType begin, vtkIdType end)
-      {
-        std::array<double, 6> box = locals.Local();
-        for (vtkIdType i = begin; i < end; ++i)
-        {
-          const double radius = static_cast<double>(r[i]);
-          for (int axis = 0; axis < 3; ++axis)
-          {
-            const double x = static_cast<double>(centers[i][axis]);
-            box[2 * axis] = std::min(box[2 * axis], x - radius);
-            box[2 * axis + 1] = std::max(box[2 * axis + 1], x + radius);
-          }
-        }
-        locals.Local() = box;
-      });
-    std::copy(empty.begin(), empty.end(), bounds);
-    for (const auto& box : locals)
+    Bounds all{ inf, -inf, inf, -inf, inf, -inf };
+    const auto widen = [&](vtkIdType begin, vtkIdType end, Bounds& box)
     {
-      for (int axis = 0; axis < 3; ++axis)
+      for (vtkIdType i = begin; i < end; ++i)
       {
-        bounds[2 * axis] = std::min(bounds[2 * axis], box[2 * axis]);
-        bounds[2 * axis + 1] = std::max(bounds[2 * axis + 1], box[2 * axis + 1]);
+        const double radius = static_cast<double>(r[i]);
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          const double x = static_cast<double>(centers[i][axis]);
+          box[2 * axis] = std::min(box[2 * axis], x - radius);
+          box[2 * axis + 1] = std::max(box[2 * axis + 1], x + radius);
+        }
+      }
+    };
+    try
+    {
+      vtkSMPThreadLocal<Bounds> locals(all);
+      SmpFor(0, centers.size(), 0,
+        [&](vtkIdType begin, vtkIdType end)
+        {
+          Bounds box = locals.Local();
+          widen(begin, end, box);
+          locals.Local() = box;
+        });
+      for (const Bounds& box : locals)
+      {
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          all[2 * axis] = std::min(all[2 * axis], box[2 * axis]);
+          all[2 * axis + 1] = std::max(all[2 * axis + 1], box[2 * axis + 1]);
+        }
       }
     }
+    catch (const std::bad_alloc&)
+    {
+      // Without threads, which takes no memory: a view that is chosen by these bounds must not
+      // depend on that.
+      widen(0, centers.size(), all);
+    }
+    std::copy(all.begin(), all.end(), bounds);
   }
 };
 }

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bridge/SmpParallelFor.h"
 
-#include "vtkSMPTools.h"
+#include "bridge/Guard.h"
 
 #include <algorithm>
-#include <atomic>
-#include <exception>
-#include <mutex>
+#include <utility>
 #ifdef __SANITIZE_THREAD__
 #include <thread>
 #include <vector>
@@ -16,6 +14,8 @@ namespace spherepacking
 {
 namespace
 {
+thread_local const std::atomic<bool>* StopFlag = nullptr;
+
 // Runs `body` on so many threads at once.
 template <typename Body>
 void RunOnThreads(std::int64_t threads, const Body& body)
@@ -36,32 +36,18 @@ void RunOnThreads(std::int64_t threads, const Body& body)
   vtkSMPTools::For(0, threads, 1, [&](vtkIdType, vtkIdType) { body(); });
 #endif
 }
+}
 
-// An exception that left a thread's function would end the process.
-class FirstException
+//------------------------------------------------------------------------------
+StoppedBy::StoppedBy(const std::atomic<bool>& stop)
+  : Before(std::exchange(StopFlag, &stop))
 {
-public:
-  void Catch()
-  {
-    const std::lock_guard<std::mutex> lock(this->Mutex);
-    if (!this->Exception)
-    {
-      this->Exception = std::current_exception();
-    }
-  }
+}
 
-  void Rethrow() const
-  {
-    if (this->Exception)
-    {
-      std::rethrow_exception(this->Exception);
-    }
-  }
-
-private:
-  std::mutex Mutex;
-  std::exception_ptr Exception;
-};
+//------------------------------------------------------------------------------
+StoppedBy::~StoppedBy()
+{
+  StopFlag = this->Before;
 }
 
 //------------------------------------------------------------------------------
@@ -69,12 +55,13 @@ ParallelFor SmpParallelFor()
 {
   return [](std::int64_t count, const std::function<void(std::int64_t)>& work)
   {
+    const std::atomic<bool>* const stop = StopFlag;
     // Each thread takes the next piece of work when it has done one: vtkSMPTools may share the
     // pieces out beforehand, and then waits for whichever thread is the slowest.
     std::atomic<std::int64_t> next{ 0 };
-    FirstException first;
     const vtkIdType threads =
       std::min<std::int64_t>(count, std::max(1, vtkSMPTools::GetEstimatedNumberOfThreads()));
+    FirstException first;
     RunOnThreads(threads,
       [&]
       {
@@ -82,13 +69,17 @@ ParallelFor SmpParallelFor()
         {
           for (std::int64_t i = next++; i < count; i = next++)
           {
+            if (stop && stop->load(std::memory_order_relaxed))
+            {
+              throw AbortRequest();
+            }
             work(i);
           }
         }
         catch (...)
         {
-          first.Catch();
           next = count;
+          first.Catch();
         }
       });
     first.Rethrow();

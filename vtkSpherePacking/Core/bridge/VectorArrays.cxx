@@ -2,6 +2,7 @@
 #include "bridge/VectorArrays.h"
 
 #include "bridge/NewArrays.h"
+#include "bridge/SmpParallelFor.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkPointData.h"
@@ -123,7 +124,7 @@ vtkSmartPointer<vtkDoubleArray> JoinComponents(const ArraysByName& arrays, const
   array->SetNumberOfComponents(3);
   array->SetNumberOfTuples(count);
   double* const to = array->GetPointer(0);
-  vtkSMPTools::For(0, count, vtkSMPTools::THRESHOLD,
+  SmpFor(0, count, vtkSMPTools::THRESHOLD,
     [&](vtkIdType first, vtkIdType last)
     {
       for (vtkIdType i = first; i < last; ++i)

@@ -331,10 +331,7 @@ HugeArray<Contact> FindContacts(
       }
     }
   };
-  if (!work.Interruptible(static_cast<std::int64_t>(pieces.size()), search))
-  {
-    return {};
-  }
+  work.Search(static_cast<std::int64_t>(pieces.size()), search);
   return Sorted(parts, count, spheres.Count, work.For);
 }
 }

@@ -37,20 +37,17 @@ inline double GapOf(
   return GapOf(Vector3{ b.X - a.X, b.Y - a.Y, b.Z - a.Z } + shift, a.R, b.R);
 }
 
-/// Contacts are looked for by `Parallel` pieces of work, which may say that nobody wants them any
-/// more, and by `For` all else.
 struct ContactWork
 {
   ParallelFor For;
-  std::function<bool(std::int64_t count, const std::function<void(std::int64_t)>& work)>
-    Interruptible; ///< as For; returns false if not all was done
-  double Most;     ///< contacts, above which a std::invalid_argument is thrown
+  ParallelFor Search; ///< looks for contacts, which takes longest
+  double Most;         ///< contacts, above which a std::invalid_argument is thrown
 };
 
 /**
  * All contacts of a packing, that is pairs whose GapOf() is at most `gap`, each once, by I, then J,
  * then the shift. Of a periodic packing every image counts: two spheres may touch several times,
- * and a sphere its own image. Empty after an interruption.
+ * and a sphere its own image.
  */
 HugeArray<Contact> FindContacts(
   const SphereArrays& spheres, double gap, const PeriodicImages& images, const ContactWork& work);

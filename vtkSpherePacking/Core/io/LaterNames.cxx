@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/LaterNames.h"
 
+#include "bridge/SmpParallelFor.h"
 #include "io/DiameterWords.h"
 #include "io/FitComments.h"
 #include "io/NameLists.h"
 #include "io/PackingFileError.h"
 #include "io/RemarksOnSize.h"
 #include "io/TableHead.h"
-
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <optional>
@@ -186,7 +185,7 @@ void CheckLaterNames(const TextRange& text, const std::vector<TextChunk>& chunks
 {
   const bool sizes = MayHoldDiameters(layout, radii);
   std::vector<std::vector<TextRange>> found(chunks.size());
-  vtkSMPTools::For(0, static_cast<vtkIdType>(chunks.size()), 1,
+  SmpFor(0, static_cast<vtkIdType>(chunks.size()), 1,
     [&](vtkIdType first, vtkIdType last)
     {
       for (vtkIdType i = first; i < last; ++i)

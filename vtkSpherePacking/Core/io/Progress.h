@@ -2,6 +2,7 @@
 #ifndef Progress_h
 #define Progress_h
 
+#include "bridge/SmpParallelFor.h"
 #include "io/PackingFileError.h"
 
 #include "vtkAlgorithm.h"
@@ -65,7 +66,7 @@ void ForInBatches(
   for (vtkIdType first = 0; first < count; first += batch)
   {
     const vtkIdType last = std::min(count, first + batch);
-    vtkSMPTools::For(first, last, grain, body);
+    SmpFor(first, last, grain, body);
     check();
     progress.Report(static_cast<double>(last) / static_cast<double>(count));
   }
