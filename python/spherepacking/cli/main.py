@@ -134,7 +134,8 @@ def pack(
     Parameters
     ----------
     mesh
-        File with the surface, of any format that PyVista reads, or .off.
+        File with the surface: .off, .stl, .ply, .obj, .vtp, .vtu or .vtk. No other file that it
+        names is read.
     target
         File to write; its extension decides about the format.
     count

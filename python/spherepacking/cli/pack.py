@@ -14,6 +14,7 @@ from ..files.errors import PackingFileError
 from ..files.surfaces import read_surface
 from ..files.writers import write
 from ..make.pack import pack
+from ..printable import printable
 
 
 def pack_file(
@@ -54,7 +55,11 @@ def pack_file(
             write(trial, trial_path)
         except PackingFileError as error:
             raise PackingFileError(str(error).replace(str(trial_path), str(target))) from None
-    mesh = read_surface(source)
+    with warnings.catch_warnings(record=True) as told:
+        warnings.simplefilter("always")
+        mesh = read_surface(source)
+    for warning in told:
+        print(printable(str(warning.message)), file=sys.stderr)
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         packing = pack(

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, NoReturn
 
 import numpy as np
 
+from ..printable import quoted
 from .errors import PackingFileError
 
 if TYPE_CHECKING:
@@ -66,11 +67,14 @@ class _Walk:
 
     def __init__(self, path: Path, data: mmap.mmap) -> None:
         self._path, self._data = path, data
-        version = re.match(rb"# vtk DataFile Version\s+(\d+)", data)
-        self._offsets = version is not None and int(version[1]) >= 5
+        self._at, self._binary = 0, False
+        version = re.match(rb"# vtk DataFile Version[ \t]+(\d{1,3})\.\d+\s", data)
+        if version is None:
+            # Which of two ways the cells are written in depends on it.
+            self._refuse(quoted(data[:40].splitlines()[0]), "# vtk DataFile Version and its number")
+        self._offsets = int(version[1]) >= 5
         title = data.find(b"\n", data.find(b"\n") + 1)
         self._at = title + 1 if title > 0 else len(data)
-        self._binary = False
         self._tuples = 0
 
     def check(self) -> None:
@@ -80,7 +84,7 @@ class _Walk:
         while (word := self._word().lower()) and self._section(word):
             passed.add(word)
         if not passed & {b"points", b"dimensions"}:
-            self._refuse(f"{word[:30].decode('ascii', 'replace')!r}", "POINTS or DIMENSIONS")
+            self._refuse(quoted(word, 30), "POINTS or DIMENSIONS")
 
     def _section(self, word: bytes) -> bool:
         """Pass what follows a keyword; False if that is not known."""
@@ -163,7 +167,7 @@ class _Walk:
         if kind in _TEXTS:
             self._texts(count)
         elif kind != b"bit" and kind not in _SIZES:
-            self._refuse(f"the type {kind[:30].decode('ascii', 'replace')!r}", "one of VTK")
+            self._refuse(f"the type {quoted(kind, 30)}", "one of VTK")
         elif self._binary:
             self._line()
             size = (count + 7) // 8 if kind == b"bit" else count * _SIZES[kind]
@@ -229,7 +233,7 @@ class _Walk:
         if not word:
             self._refuse("its end", "a count")
         if not word.isdigit() or len(word) > 18:
-            self._refuse(f"{word[:30].decode('ascii', 'replace')!r}", "a count")
+            self._refuse(quoted(word, 30), "a count")
         return int(word)
 
     def _refuse_early(self, count: int) -> NoReturn:
