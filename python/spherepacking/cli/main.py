@@ -104,12 +104,13 @@ def convert(packing: Path, target: Path, /, *, source: InputOptions = _READ_BY_D
     """
     _load()
 
-    from ..files.writers import left_out, write
+    from ..files.writers import check_writable, left_out, write
     from .input import open_steps, read_step
 
     packing, target = packing.expanduser(), target.expanduser()
     if target.exists() and packing.exists() and target.samefile(packing):
         raise ValueError(f"{target}: found the source as the target, expected another file")
+    check_writable(target)
     read = read_step(open_steps(packing, source), packing, source.step)
     write(read, target)
     if lost := left_out(read, target):

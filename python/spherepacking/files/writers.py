@@ -2,26 +2,28 @@
 
 from __future__ import annotations
 
-import shutil
 from pathlib import Path
-from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING
 
 import pyvista as pv
 
 from ..datasets import packing_of, with_radii, wrap
+from ..printable import printable
 from ..vtk_tools import errors_raised
 from .errors import PackingFileError
-from .replace import check_replaceable
+from .replace import check_replaceable, replace_file
 from .vtk_files import errors_of_vtk
 
 if TYPE_CHECKING:
     import os
+    from typing import Any
 
     from ..radii import RadiusLike
 
 # Formats that hold no more than the spheres, and further arrays of which names they hold.
 _SPHERES_ALONE = {".spheres": (), ".xyzr": (), ".xyzd": (), ".txt": ("matId",)}
+
+_OF_VTK = (".vtp", ".vtu", ".vtk")
 
 
 def left_out(packing: pv.PolyData, path: str | os.PathLike[str]) -> str | None:
@@ -112,7 +114,7 @@ def write(
         spheres, _ = with_radii(packing_of(dataset, radius), "radius")
     except (KeyError, TypeError, ValueError) as error:
         raise PackingFileError(f"{path}: {error.args[0]}") from None
-    if path.suffix.lower() in (".vtp", ".vtu", ".vtk"):
+    if path.suffix.lower() in _OF_VTK:
         _write_by_vtk(spheres, path)
         return
     writer = vtkSpherePackingWriter()
@@ -122,14 +124,50 @@ def write(
         writer.Write()
 
 
+def check_writable(path: Path) -> None:
+    """Raise unless a packing can be written to `path`, as far as that is known without one.
+
+    Parameters
+    ----------
+    path : pathlib.Path
+        File to write; nothing is written.
+
+    Raises
+    ------
+    OSError
+        If the folder does not exist, or it or the file cannot be written to.
+    PackingFileError
+        If no format has that extension, or an .nfo file beside the file would change the packing.
+    """
+    from ..backend import vtkSpherePackingWriter
+
+    check_replaceable(path)
+    if path.suffix.lower() in _OF_VTK:
+        return
+    writer = vtkSpherePackingWriter()
+    writer.SetFileName(str(path))
+    with errors_raised(writer, PackingFileError):
+        writer.CheckFile()
+
+
 def _write_by_vtk(packing: pv.PolyData, path: Path) -> None:
-    """Write a file of VTK, which appears under its name when it is complete."""
-    target = check_replaceable(path)
-    saved = packing.cast_to_unstructured_grid() if path.suffix.lower() == ".vtu" else packing
-    with TemporaryDirectory(dir=target.parent, prefix=".spherepacking-") as folder:
-        part = Path(folder) / f"part{path.suffix.lower()}"
-        with errors_of_vtk(f"{path}: the file cannot be written"):
-            saved.save(part)
-        if target.exists():
-            shutil.copymode(target, part)
-        part.replace(target)
+    """Write a file of VTK, which appears under its name when it is complete.
+
+    Upstream: VTK 9.7's writer of XML crashes when a disk is full, since it goes on with the stream
+    that it has closed. So VTK writes to memory.
+    """
+    extension = path.suffix.lower()
+    saved = packing.cast_to_unstructured_grid() if extension == ".vtu" else packing
+    with errors_of_vtk(f"{printable(str(path))}: the file cannot be written"):
+        # As DataObject.save() does it, for which memory is no file.
+        saved._store_metadata()
+        writer: Any = saved._WRITERS[extension](path, saved)
+        writer.data_format = "binary"
+        writer.writer.SetWriteToOutputString(True)
+        writer.write()
+        to_memory = writer.writer
+        # Of legacy files the other one ends at the first zero.
+        text = (
+            to_memory.GetOutputStdString() if extension == ".vtk" else to_memory.GetOutputString()
+        )
+    replace_file(path, text.encode() if isinstance(text, str) else text)

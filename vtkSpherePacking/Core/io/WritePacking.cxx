@@ -118,15 +118,34 @@ void CheckDiameterScale(const std::string& file)
         ", expected none, or one that leaves them");
   }
 }
+
+void CheckFormat(const std::string& file, Format kind)
+{
+  if (!((kind >= Format::Spheres && kind <= Format::Dump) || kind == Format::Xyz))
+  {
+    throw PackingFileError(vtkErrorCode::UnrecognizedFileTypeError,
+      file +
+        ": found a format that cannot be written, expected the extension .spheres, "
+        ".xyzr, .txt, .csv, .xyzd, .dump or .xyz");
+  }
+  if (kind == Format::Xyzd)
+  {
+    CheckDiameterScale(file);
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+void CheckWritable(const std::string& file, Format kind)
+{
+  CheckFormat(file, kind);
+  const AtomicFile target(file);
 }
 
 //------------------------------------------------------------------------------
 void WritePacking(const std::string& file, const WriteOptions& options, Progress& progress)
 {
-  if (options.Kind == Format::Xyzd)
-  {
-    CheckDiameterScale(file);
-  }
+  CheckFormat(file, options.Kind);
   const auto write = [&]
   {
     const std::vector<WrittenArray> arrays = ChooseArrays(options);
