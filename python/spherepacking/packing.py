@@ -7,13 +7,17 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from .printable import printable
+
 if TYPE_CHECKING:
     import pyvista as pv
+
+_LONGEST = 800  # characters of the names of arrays
 
 
 def no_such_array(argument: str, name: str, packing: pv.PolyData) -> KeyError:
     """Make the error that says which arrays there are."""
-    there = ", ".join(packing.point_data.keys()) or "none"
+    there = printable(", ".join(packing.point_data.keys()) or "none", _LONGEST)
     hint = " (there is a cell array of that name)" if name in packing.cell_data else ""
     advice = ""
     if argument == "radius":

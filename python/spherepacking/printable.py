@@ -79,4 +79,6 @@ def _shown(match: re.Match[str]) -> str:
     character = match[0]
     if character in "\t\n\r":
         return " "
-    return "".join(f"\\x{byte:02x}" for byte in character.encode("utf-8", "surrogateescape"))
+    # What could not be decoded is a byte, other surrogates are no characters either.
+    errors = "surrogateescape" if "\udc80" <= character <= "\udcff" else "surrogatepass"
+    return "".join(f"\\x{byte:02x}" for byte in character.encode("utf-8", errors))

@@ -9,6 +9,7 @@ from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING
 
 from ..files.image import check_output, read_image
+from ..printable import printable
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
@@ -96,7 +97,7 @@ def check_frames(output: Path, size: tuple[int, int]) -> None:
     if output.suffix.lower() != ".gif" and (size[0] % 2 or size[1] % 2):
         raise ValueError(f"--size: found {size[0]} {size[1]}, expected even numbers for a movie")
     if not output.parent.is_dir():
-        raise FileNotFoundError(f"{output}: there is no folder {output.parent}")
+        raise FileNotFoundError(printable(f"{output}: there is no folder {output.parent}"))
 
 
 @contextmanager

@@ -10,10 +10,12 @@ from typing import Annotated
 
 from cyclopts import App, CycloptsError, Parameter
 
+from ..printable import printable
 from .input import InputOptions
 from .options import RenderOptions, Whole
 
 _READ_BY_DEFAULT = InputOptions()
+_LONGEST = 2000  # characters of an error
 
 
 def _version() -> str:
@@ -250,7 +252,8 @@ def main(arguments: list[str] | None = None) -> int:
         # Whoever reads the output has seen enough, as `head` does.
         return 128 + signal.SIGPIPE
     except (CycloptsError, OSError, ValueError, ImportError) as error:
-        print(f"spherepacking: {' '.join(str(error).split())}", file=sys.stderr)
+        text = printable(" ".join(str(error).split()), _LONGEST)
+        print(f"spherepacking: {text}", file=sys.stderr)
         return 2
     except KeyboardInterrupt:
         print("spherepacking: stopped", file=sys.stderr)

@@ -61,5 +61,5 @@ def pack_file(
     part = "an unknown part" if np.isnan(filled) else f"{filled:.1%}"
     print(f"{packing.n_points} spheres fill {part} of the volume")
     for warning in caught:
-        print(warning.message, file=sys.stderr)
+        print(printable(str(warning.message)), file=sys.stderr)
     return not caught

@@ -13,6 +13,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from ..printable import printable
 from .errors import PackingFileError
 
 if TYPE_CHECKING:
@@ -120,7 +121,7 @@ class Uncompressed:
         try:
             yield
         except (PackingFileError, ImportError) as error:
-            text = str(error).replace(str(self.path), str(self._source))
+            text = str(error).replace(printable(str(self.path)), str(self._source))
             raise type(error)(text) from None
 
 

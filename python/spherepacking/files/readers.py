@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import pyvista as pv
 
+from ..printable import printable
 from ..vtk_tools import ErrorLog, errors_raised, progress_bar
 from .errors import PackingFileError
 
@@ -56,7 +57,8 @@ class SpherePackingReader(pv.BaseReader, pv.TimeReader):  # type: ignore[type-ar
         self._time: float | None = None
 
     def _set_directory(self, directory: str) -> None:
-        raise IsADirectoryError(f"{directory}: found a directory, expected a file with a packing")
+        shown = printable(directory)
+        raise IsADirectoryError(f"{shown}: found a directory, expected a file with a packing")
 
     def _update_information(self) -> None:
         # Upstream: PyVista 0.49 calls this when a reader is made, and passes on no error of VTK.

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, NoReturn
 
 import numpy as np
 
-from ..printable import printable, quoted
+from ..printable import quoted
 from .errors import SurfaceFileError
 
 if TYPE_CHECKING:
@@ -120,7 +120,7 @@ def refuse(path: Path, found: str, expected: str, line: int | None = None) -> No
         Always.
     """
     place = str(path) if line is None else f"{path}, line {line}"
-    raise SurfaceFileError(f"{printable(place)}: found {found}, expected {expected}") from None
+    raise SurfaceFileError(f"{place}: found {found}, expected {expected}") from None
 
 
 def finite_points(path: Path, points: np.ndarray) -> np.ndarray:

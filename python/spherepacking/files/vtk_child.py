@@ -24,7 +24,6 @@ _BYTES_PER_BYTE, _BYTES = 64, 1 << 30
 _BYTES_PER_SECOND, _SECONDS = 50_000, 60.0
 _CODE = "from spherepacking.files.vtk_surfaces import hand_over; hand_over()"
 _REFUSED = 3
-_LONGEST = 500  # characters of a sentence of VTK
 
 
 def arrays_from_child(path: Path) -> dict[str, np.ndarray]:
@@ -60,8 +59,8 @@ def arrays_from_child(path: Path) -> dict[str, np.ndarray]:
         refuse(path, f"a file on which VTK's reader has been for {seconds:.0f} s", "a whole one")
     if done.returncode == _REFUSED:
         # The process was given an absolute path.
-        sentence = done.stdout.decode("utf-8", "replace").removeprefix(str(path.absolute()))
-        raise SurfaceFileError(printable(f"{path}{sentence}", _LONGEST))
+        sentence = done.stdout.decode().removeprefix(printable(str(path.absolute())))
+        raise SurfaceFileError(f"{path}{sentence}")
     if done.returncode != 0:
         refuse(path, "a file on which VTK's reader crashes or runs out of memory", "a whole one")
     with np.load(io.BytesIO(done.stdout), allow_pickle=False) as arrays:
@@ -87,7 +86,7 @@ def hand_over_arrays(read: Callable[[Path], dict[str, np.ndarray]]) -> None:
         try:
             arrays = read(path)
         except ValueError as error:
-            stdout.write(str(error).encode("utf-8", "surrogateescape"))
+            stdout.write(str(error).encode())
             stdout.flush()
             os._exit(_REFUSED)
         np.savez(stdout, allow_pickle=False, **arrays)

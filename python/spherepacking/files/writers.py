@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 
     from ..radii import RadiusLike
 
+_LONGEST = 1000  # characters of a sentence, which names arrays
 # Formats that hold no more than the spheres, and further arrays of which names they hold.
 _SPHERES_ALONE = {".spheres": (), ".xyzr": (), ".xyzd": (), ".txt": ("matId",)}
 
@@ -61,7 +62,8 @@ def left_out(packing: pv.PolyData, path: str | os.PathLike[str]) -> str | None:
     else:
         return None
     lost = [*names, *(["the cell"] if "cell_vectors" in packing.field_data else [])]
-    return f"{path.name} holds {what} alone: left out {', '.join(lost)}" if lost else None
+    sentence = f"{path.name} holds {what} alone: left out {', '.join(lost)}"
+    return printable(sentence, _LONGEST) if lost else None
 
 
 def write(
@@ -107,9 +109,9 @@ def write(
     dataset = wrap(packing)
     path = Path(path).expanduser()
     if not path.parent.is_dir():
-        raise FileNotFoundError(f"{path}: there is no folder {path.parent}")
+        raise FileNotFoundError(printable(f"{path}: there is no folder {path.parent}"))
     if path.is_dir():
-        raise IsADirectoryError(f"{path}: found a directory, expected a file name")
+        raise IsADirectoryError(printable(f"{path}: found a directory, expected a file name"))
     try:
         spheres, _ = with_radii(packing_of(dataset, radius), "radius")
     except (KeyError, TypeError, ValueError) as error:
@@ -158,7 +160,7 @@ def _write_by_vtk(packing: pv.PolyData, path: Path) -> None:
     """
     extension = path.suffix.lower()
     saved = packing.cast_to_unstructured_grid() if extension == ".vtu" else packing
-    with errors_of_vtk(f"{printable(str(path))}: the file cannot be written"):
+    with errors_of_vtk(f"{path}: the file cannot be written"):
         # As DataObject.save() does it, for which memory is no file.
         saved._store_metadata()
         writer: Any = saved._WRITERS[extension](path, saved)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bridge/Guard.h"
 
+#include "bridge/PrintableText.h"
+
 #include "vtkAlgorithm.h"
 #include "vtkErrorCode.h"
 
@@ -18,6 +20,19 @@ struct ErrorCodeOf : vtkAlgorithm
     (algorithm->*(&ErrorCodeOf::SetErrorCode))(code);
   }
 };
+
+// A sentence as it may be shown. It has names of files and arrays in it.
+std::string Shown(const char* sentence)
+{
+  try
+  {
+    return PrintableSentence(sentence);
+  }
+  catch (const std::bad_alloc&)
+  {
+    return "out of memory"; // so short that it needs none
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -38,17 +53,17 @@ Outcome RunGuarded(vtkAlgorithm* algorithm, std::string& message, const std::str
   }
   catch (const std::bad_alloc&)
   {
-    message = outOfMemory;
+    message = Shown(outOfMemory.c_str());
     code = vtkErrorCode::UserError;
   }
   catch (const CodedError& error)
   {
-    message = error.what();
+    message = Shown(error.what());
     code = error.Code;
   }
   catch (const std::exception& error)
   {
-    message = error.what();
+    message = Shown(error.what());
     code = vtkErrorCode::UserError;
   }
   ErrorCodeOf::Set(algorithm, code);

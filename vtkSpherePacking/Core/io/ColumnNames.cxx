@@ -3,7 +3,7 @@
 
 #include "io/NameMeaning.h"
 #include "io/PackingFileError.h"
-#include "io/PrintableText.h"
+#include "bridge/PrintableText.h"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 #include "io/FileBytes.h"
 #include "io/LineScanner.h"
 #include "io/PackingFileError.h"
-#include "io/PrintableText.h"
+#include "bridge/PrintableText.h"
 #include "io/PackingFormats.h"
 #include "io/SphereFields.h"
 #include "io/Utf8Mark.h"

@@ -4,7 +4,7 @@
 
 #include "base/Dispatch.h"
 #include "io/Number.h"
-#include "io/PrintableText.h"
+#include "bridge/PrintableText.h"
 #include "io/ShortRow.h"
 #include "io/ShortRows.h"
 #include "io/TableLayout.h"
