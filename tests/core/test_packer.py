@@ -508,7 +508,9 @@ def test_surfaces_that_are_none():
     assert "found 3 open edges" in message_of(packer_of(one_side))
     flat = pv.Tetrahedron()
     flat.points[:, 2] = 0.0
-    assert "expected more than 1e-12 times the cube of that: a thicker one" in message_of(packer_of(flat))
+    assert "expected more than 1e-12 times the cube of that: a thicker one" in message_of(
+        packer_of(flat)
+    )
 
 
 def test_a_volume_that_is_small_for_the_size_of_the_surface():

@@ -1,5 +1,6 @@
 """Surfaces from files: what is read of each format, and what is refused."""
 
+import time
 import warnings
 
 import numpy as np
@@ -334,6 +335,26 @@ def test_the_command_tells_them(tmp_path, capsys):
     path = written(tmp_path, "four.obj", [*OBJ[:4], *OBJ[:4], *OBJ[4:]])
     assert main(["pack", str(path), str(tmp_path / "four.spheres"), "--count", "4"]) == 0
     assert "found 4 points of no polygon" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("name", "text"),
+    [
+        *(("a.obj", b"\\\n"), ("a.obj", b"v 1 2 3 "), ("a.obj", b"f 1 2 3\n"), ("a.obj", b"\\")),
+        *(("a.obj", b"f 1//"), ("a.obj", b"#"), ("a.obj", b"\r"), ("a.obj", b"g 1 2 3\n")),
+        *(("a.off", b"OFF "), ("a.off", b"OFF\n1 1 1\n"), ("a.off", b"1 "), ("a.off", b"\n")),
+        *(("a.stl", b"solid\n"), ("a.stl", b"solid "), ("a.stl", b"solid\nfacet normal 1 ")),
+        *(("a.ply", b"ply\n"), ("a.ply", b"ply\nformat ascii 1.0\nelement vertex 1\n")),
+        *(("a.ply", b"ply\nformat ascii 1.0\nelement a 1\nproperty int b\n"), ("a.ply", b"\x03")),
+    ],
+)
+def test_any_repetition_is_read_in_time(tmp_path, name, text):
+    """At most 2 s for 100 kB, however lines and words are repeated; as a rule it is 0.1 s."""
+    for begin in (b"", text):
+        path = written(tmp_path, name, begin + b"\n" + text * (400_000 // len(text)))
+        start = time.perf_counter()
+        refusal(path)
+        assert time.perf_counter() - start < 8
 
 
 # --- files of VTK ---------------------------------------------------------------------------------

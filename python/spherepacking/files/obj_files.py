@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 import warnings
 from array import array
 from typing import TYPE_CHECKING
@@ -24,8 +23,6 @@ _NAMES = frozenset(
     (b"o", b"g", b"mtllib", b"usemtl", b"maplib", b"usemap", b"shadow_obj", b"trace_obj")
 )
 _DRAWING = frozenset((b"s", b"mg", b"bevel", b"c_interp", b"d_interp", b"lod"))
-# Lines that end with a backslash go on in the next one.
-_CONTINUED = re.compile(rb"(?:[^\r\n]*\\\r?\n)+[^\r\n]*")
 _CORNER = "three or more points by their numbers, from 1 on, or from -1 down"
 
 
@@ -52,7 +49,7 @@ def read_obj(path: Path) -> pv.PolyData:
     UserWarning
         If no polygon has some of the points, as in a file that ends early: it has no counts.
     """
-    rows = SurfaceRows(path, _CONTINUED.sub(_joined, path.read_bytes()), b"#")
+    rows = SurfaceRows(path, path.read_bytes(), b"#", goes_on=b"\\")
     numbers, faces = array("d"), array("q")
     for words in rows:
         key = words[0]
@@ -76,12 +73,6 @@ def read_obj(path: Path) -> pv.PolyData:
             stacklevel=2,
         )
     return surface
-
-
-def _joined(match: re.Match[bytes]) -> bytes:
-    """Continued lines as one, and empty ones after it, so that all others keep their number."""
-    parts = re.split(rb"\\\r?\n", match[0])
-    return b" ".join(parts) + b"\n" * (len(parts) - 1)
 
 
 def _corners(rows: SurfaceRows, words: list[bytes], n_points: int) -> list[int]:

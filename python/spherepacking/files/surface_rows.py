@@ -35,6 +35,8 @@ class SurfaceRows:
         What begins a comment, up to the end of the line.
     first : int, default: 1
         Number of the first line.
+    goes_on : bytes, optional
+        What ends a line that goes on in the next one.
 
     Attributes
     ----------
@@ -42,8 +44,15 @@ class SurfaceRows:
         Number of the row that was handed out last.
     """
 
-    def __init__(self, path: Path, data: bytes, comment: bytes = b"", first: int = 1) -> None:
-        self._path, self._comment = path, comment
+    def __init__(
+        self,
+        path: Path,
+        data: bytes,
+        comment: bytes = b"",
+        first: int = 1,
+        goes_on: bytes = b"",
+    ) -> None:
+        self._path, self._comment, self._goes_on = path, comment, goes_on
         self._lines = data.removeprefix(_MARK).splitlines()
         self._next = 0
         self._first = first
@@ -52,16 +61,27 @@ class SurfaceRows:
 
     def __iter__(self) -> Iterator[list[bytes]]:
         """Hand out the words of each row, from where an earlier loop has ended."""
-        lines, comment = self._lines, self._comment
+        lines, comment, goes_on = self._lines, self._comment, self._goes_on
         while self._next < len(lines):
             line = lines[self._next]
             self._next += 1
+            if goes_on and line.endswith(goes_on):
+                line = self._with_next(line)
             if comment and comment in line:
                 line = line.partition(comment)[0]
             if words := line.split():
                 self.line = self._next - 1 + self._first
                 self._row = words
                 yield words
+
+    def _with_next(self, line: bytes) -> bytes:
+        """Join a line with those in which it goes on."""
+        parts = [line]
+        while parts[-1].endswith(self._goes_on) and self._next < len(self._lines):
+            parts[-1] = parts[-1].removesuffix(self._goes_on)
+            parts.append(self._lines[self._next])
+            self._next += 1
+        return b" ".join(parts)
 
     def next_row(self) -> list[bytes]:
         """Hand out the words of the next row, none at the end of the text."""
