@@ -1,6 +1,15 @@
-"""Damaged copies of small files, for tests that no damage crashes a reader or passes unnoticed."""
+"""Damaged copies of small files, for tests that no damage crashes a reader or passes unnoticed.
+
+``python tests/python/mutations.py 20000 FOLDER`` reads so many of each format of surfaces that is
+read in the process, and prints how many were refused, and the longest time.
+"""
 
 import io
+import sys
+import time
+import warnings
+from collections import Counter
+from pathlib import Path
 
 import numpy as np
 import pyvista as pv
@@ -64,3 +73,33 @@ def surfaces(folder):
         f"OFF\n{len(mixed.points)} {len(faces)} 0\n{text.getvalue()}{''.join(faces)}".encode()
     )
     return files
+
+
+def main(count, folder):
+    from spherepacking.files.errors import SurfaceFileError
+    from spherepacking.files.surfaces import read_surface
+
+    warnings.simplefilter("ignore")
+    rng = np.random.default_rng()
+    for name, data in surfaces(folder).items():
+        path = folder / f"mutated{name[-4:]}"
+        if name[-4:-1] == ".vt":
+            continue
+        path.write_bytes(data)
+        whole = read_surface(path)
+        tally, longest = Counter(), 0.0
+        for _ in range(count):
+            path.write_bytes(mutated(data, rng))
+            start = time.perf_counter()
+            try:
+                mesh = read_surface(path)
+                same = (mesh.n_points, mesh.n_cells) == (whole.n_points, whole.n_cells)
+                tally["of the same counts" if same else "of other counts"] += 1
+            except SurfaceFileError:
+                tally["refused"] += 1
+            longest = max(longest, time.perf_counter() - start)
+        print(f"{name}: {dict(tally)}, at most {longest:.2f} s", flush=True)
+
+
+if __name__ == "__main__":
+    main(int(sys.argv[1]), Path(sys.argv[2]))

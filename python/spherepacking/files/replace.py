@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import fcntl
 import os
 import re
@@ -122,7 +123,7 @@ def replacing(path: Path) -> Iterator[BinaryIO]:
                 file.flush()
                 _take_permissions(descriptor, target)
                 # Else, after a loss of power, the name might stand for a file that is not whole.
-                os.fsync(descriptor)
+                _sync(descriptor)
                 if not named:
                     # An earlier file can be replaced by one that has a name, only.
                     _give_name(descriptor, part)
@@ -171,6 +172,15 @@ def _lock(descriptor: int) -> None:
     # Where a file system has no locks, nobody gets one to remove the file either.
     with suppress(OSError):
         fcntl.flock(descriptor, fcntl.LOCK_EX)
+
+
+def _sync(descriptor: int) -> None:
+    try:
+        os.fsync(descriptor)
+    except OSError as error:
+        # Some file systems have no such thing.
+        if error.errno not in (errno.EINVAL, errno.ENOSYS):
+            raise
 
 
 def _take_permissions(descriptor: int, target: Path) -> None:
