@@ -109,6 +109,15 @@ def integer_of(name: str, value: int) -> int:
     return index
 
 
+def index_in(indices: range, name: str, value: int) -> int:
+    """The one of `indices` at `value`, negative from the end, or a TypeError or IndexError."""
+    index = integer_of(name, value)
+    if not -len(indices) <= index < len(indices):
+        there = f"0 to {len(indices) - 1}" if indices else "none, since there is none"
+        raise IndexError(f"{name}: found {index}, expected {there}")
+    return indices[index]
+
+
 def count_of(name: str, value: int, least: int = 1, most: int = LARGEST_INT) -> int:
     """`value` as an integer from `least` to `most`, or a TypeError or ValueError."""
     count = _index_of(value)

@@ -9,7 +9,8 @@ import pyvista as pv
 
 from .checks import kind_of
 from .packing import check_radii, no_such_array
-from .radii import given_radii, holds_diameters, radii_from, radius_name_in
+from .radii import given_radii, radii_from, radius_name_in
+from .size_names import diameters_in
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -149,7 +150,7 @@ def _is_plain(packing: pv.PolyData, name: str) -> bool:
     array = packing.GetPointData().GetAbstractArray(name)
     if array is None:
         return name not in packing.cell_data
-    return array.GetNumberOfComponents() == 1 and not holds_diameters(name)
+    return array.GetNumberOfComponents() == 1 and diameters_in(name) == "no"
 
 
 # --- points of datasets ---------------------------------------------------------------------------
@@ -224,13 +225,18 @@ def _take_cell_arrays(packing: pv.PolyData, dataset: pv.DataSet) -> None:
     if isinstance(dataset, pv.PolyData):
         if dataset.n_verts != dataset.n_cells or len(dataset.verts) != 2 * dataset.n_cells:
             return
-        ids = np.asarray(dataset.verts[1::2])
+        ids: np.ndarray = np.asarray(dataset.verts[1::2])
     elif isinstance(dataset, pv.UnstructuredGrid):
         if not (dataset.celltypes == pv.CellType.VERTEX).all():
             return
         ids = np.asarray(dataset.cell_connectivity)
     else:
         return
+    wrong = ids[(ids < 0) | (ids >= dataset.n_points)]
+    if wrong.size:
+        raise ValueError(
+            f"packing: found a cell of the point {wrong[0]}, expected one of {dataset.n_points}"
+        )
     at = np.full(dataset.n_points, -1)
     at[ids] = np.arange(len(ids))
     if (at < 0).any():

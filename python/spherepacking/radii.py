@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from numbers import Integral
+from numbers import Integral, Real
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from .checks import per_sphere, storable
 from .packing import no_such_array
+from .size_names import diameters_in
 
 if TYPE_CHECKING:
     import pyvista as pv
@@ -25,7 +26,6 @@ _NAMES = (
     ("diameter", "diameters"),
     ("r", "rad", "d", "diam"),
 )
-_DIAMETERS = ("diameter", "diameters", "d", "diam")
 # Beside one of these, r may be the distance of cylindrical or spherical coordinates.
 _ANGLES = ("theta", "phi", "azimuth")
 # Arrays that say of what type a sphere is; the first that fits is taken, then any other of text.
@@ -87,11 +87,6 @@ def radius_name_in(names: list[str]) -> str | None:
     return None
 
 
-def holds_diameters(name: str) -> bool:
-    """Whether an array of that name holds diameters."""
-    return name.lower() in _DIAMETERS
-
-
 def radii_from(name: str, values: np.ndarray) -> np.ndarray:
     """Radii from the values of an array of that name.
 
@@ -112,8 +107,14 @@ def radii_from(name: str, values: np.ndarray) -> np.ndarray:
     TypeError
         If the values are not real numbers.
     ValueError
-        If they have several components that differ.
+        If they have several components that differ, or the name may or may not mean diameters.
     """
+    diameters = diameters_in(name)
+    if diameters == "unsure":
+        raise ValueError(
+            f"radius: found the array {name!r}, which may hold diameters or another number, "
+            f"expected radius=packing[{name!r}] / 2 or radius=packing[{name!r}]"
+        )
     values = np.asarray(values)
     if values.dtype.kind not in "iuf":
         raise TypeError(f"radius: found {values.dtype} values in {name!r}, expected real numbers")
@@ -125,7 +126,7 @@ def radii_from(name: str, values: np.ndarray) -> np.ndarray:
                 "number per sphere, or equal ones"
             )
         values = values[:, 0]
-    return 0.5 * values if holds_diameters(name) else values
+    return 0.5 * values if diameters == "yes" else values
 
 
 def given_radii(packing: pv.PolyData, radius: RadiusLike) -> np.ndarray:
@@ -136,7 +137,8 @@ def given_radii(packing: pv.PolyData, radius: RadiusLike) -> np.ndarray:
     packing : pyvista.PolyData
         Centres (n, 3).
     radius : str, float, array_like or mapping
-        Name of a point array, halved where that says diameters; one radius for all spheres; n
+        Name of a point array, halved where that says diameters, in the words of
+        :func:`spherepacking.size_names.diameters_in`; one radius for all spheres; n
         radii; or one per type, by numbers or texts of the point array ``type``, ``type_name``,
         ``element``, ``species`` or ``name``, or by texts of another.
 
@@ -174,16 +176,23 @@ def given_radii(packing: pv.PolyData, radius: RadiusLike) -> np.ndarray:
     return per_sphere("radius", values, packing.n_points)
 
 
+def _is_whole(key: object) -> bool:
+    """Whether a key is a whole number, of whatever type."""
+    if isinstance(key, bool) or not isinstance(key, Real):
+        return False
+    return isinstance(key, Integral) or float(key).is_integer()
+
+
 def _by_type(packing: pv.PolyData, radius: Mapping[int, float] | Mapping[str, float]) -> np.ndarray:
     """Radii (n,) from one per type."""
     if not packing.n_points:
         return np.empty(0)
-    numbers = [key for key in radius if isinstance(key, Integral) and not isinstance(key, bool)]
+    numbers = [key for key in radius if _is_whole(key)]
     texts = [key for key in radius if isinstance(key, str)]
     if not radius or (len(numbers) < len(radius) and len(texts) < len(radius)):
         raise TypeError(
-            f"radius: found the keys {', '.join(map(repr, radius)) or '(none)'}, expected numbers "
-            "or texts that are types"
+            f"radius: found the keys {', '.join(map(repr, radius)) or '(none)'}, expected "
+            "whole numbers or texts that are types"
         )
     candidates = _type_arrays(packing, texts)
     if not candidates:

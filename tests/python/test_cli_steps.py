@@ -369,4 +369,53 @@ def test_the_library_for_movies_is_named(run, tmp_path, capfd, monkeypatch):
 
     monkeypatch.setattr(builtins, "__import__", without)
     status, _, err = ask(capfd, "render", run, "--steps", ":", "-o", tmp_path / "run.mp4")
-    assert (status, "pip install imageio imageio-ffmpeg" in err) == (2, True)
+    assert (status, "pip install 'spherepacking[movies]'" in err) == (2, True)
+
+
+# --- the cell -------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("technique", ["opengl", "bvh"])
+def test_the_cell_is_drawn_and_seen_as_a_whole(tmp_path, capfd, technique):
+    """One small sphere in a corner of a large cell: its twelve edges fill the picture."""
+    path, picture = tmp_path / "a.dump", tmp_path / "a.png"
+    path.write_text(text_of(0, (1, 1, 1, 1, 0, 0, 0, 5, 0.5)))
+    drawn = {}
+    for cell in ([], ["--cell"]):
+        options = (*PLAIN, "--technique", technique, "--color", "red", *cell)
+        status, _, err = ask(capfd, "render", path, "-o", picture, *options)
+        assert status == 0, err
+        image = (
+            np.asarray(pv.read(picture).active_scalars).reshape(100, 120, -1)[..., :3].astype(int)
+        )
+        drawn[bool(cell)] = image
+    edges = drawn[True].max(axis=2) > 60
+    red = drawn[True][..., 0] > drawn[True][..., 1] + 40
+    # The sphere is as small as it is in the cell, and the edges reach from side to side.
+    assert 0 < red.sum() < 0.1 * (drawn[False][..., 0] > drawn[False][..., 1] + 40).sum()
+    rows, columns = (edges & ~red).any(axis=1), (edges & ~red).any(axis=0)
+    assert rows.sum() > 60 or columns.sum() > 70
+    assert rows.sum() > 50 and columns.sum() > 50
+
+
+def test_the_cell_in_several_steps(run, tmp_path, capfd):
+    status, _, err = ask(
+        capfd, "render", run, "--steps", ":", "-o", tmp_path / "f_%d.png", *PLAIN, "--cell"
+    )
+    assert status == 0, err
+    assert len(list(tmp_path.glob("f_*.png"))) == 4
+
+
+def test_no_cell_to_draw(tmp_path, capfd):
+    (tmp_path / "a.xyzr").write_text("0 0 0 1\n")
+    status, _, err = ask(
+        capfd, "render", tmp_path / "a.xyzr", "-o", tmp_path / "a.png", *PLAIN, "--cell"
+    )
+    assert status != 0
+    assert "--cell: " in err and "found no cell" in err
+    assert not (tmp_path / "a.png").exists()
+    status, _, err = ask(
+        capfd, "render", tmp_path / "a.xyzr", "-o", tmp_path / "a.png", *MATT, "--cell"
+    )
+    assert status != 0
+    assert "--cell: found with --technique raycast, expected --technique opengl" in err

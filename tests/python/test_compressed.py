@@ -102,6 +102,37 @@ def test_porosities_beside_it(tmp_path):
     assert spherepacking.read(tmp_path / "a.xyzd.gz")["radius"] == pytest.approx([1.0])
 
 
+@pytest.mark.parametrize("make", ["folder", "link", "wrong"])
+def test_porosities_that_cannot_be_read(tmp_path, temporary, make):
+    (tmp_path / "a.xyzd.gz").write_bytes(gzip.compress(np.ones((1, 4)).tobytes()))
+    path = tmp_path / "a.nfo"
+    if make == "folder":
+        path.mkdir()
+    elif make == "link":
+        path.symlink_to(tmp_path / "gone")
+    else:
+        path.write_text("Theoretical Porosity: 0.2\n")
+    with pytest.raises(spherepacking.PackingFileError) as error:
+        spherepacking.read(tmp_path / "a.xyzd.gz")
+    assert str(error.value).startswith(f"{path}: ")
+    assert list(temporary.iterdir()) == []
+
+
+def test_a_compressed_file_cut_at_every_byte(tmp_path):
+    text = b"1.125 2.125 3.125 0.339\n4.125 5.125 6.125 0.427\n" * 3
+    packed = {"gz": gzip.compress(text), "bz2": bz2.compress(text), "xz": lzma.compress(text)}
+    zstandard = pytest.importorskip("zstandard")
+    packed["zst"] = zstandard.ZstdCompressor(write_checksum=True).compress(text)
+    for extension, whole in packed.items():
+        path = tmp_path / f"p.spheres.{extension}"
+        path.write_bytes(whole)
+        assert spherepacking.read(path).n_points == 6
+        for length in range(len(whole)):
+            path.write_bytes(whole[:length])
+            with pytest.raises(spherepacking.PackingFileError):
+                spherepacking.read(path)
+
+
 def test_steps_of_a_compressed_dump(tmp_path, temporary):
     path = tmp_path / "run.dump.gz"
     path.write_bytes(gzip.compress(DUMP % (10, 1) + DUMP % (20, 2) + DUMP % (30, 3)))

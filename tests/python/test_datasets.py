@@ -333,3 +333,15 @@ def test_changes_are_seen(name, how):
         accessor.ray_cast(VIEW, SIZE)["sphere_id"],
         expected.packing.ray_cast(VIEW, SIZE)["sphere_id"],
     )
+
+
+@pytest.mark.parametrize("point", [-1, 2, 2**30])
+def test_cells_of_points_that_are_not_there(point):
+    mesh = pv.PolyData(np.eye(3)[:2])
+    mesh["radius"] = [1.0, 2.0]
+    mesh.verts = [1, 0, 1, 1]
+    mesh.cell_data["heat"] = [1.0, 2.0]
+    # VTK checks no ids.
+    mesh.GetVerts().GetConnectivityArray().SetComponent(1, 0, point)
+    with pytest.raises(ValueError, match=f"packing: found a cell of the point {point}, expected"):
+        packing_of(mesh, radius="heat")

@@ -222,3 +222,24 @@ def test_a_number_of_particles_that_the_file_cannot_hold(tmp_path, positions):
         spherepacking.PackingFileError, match=r"a\.gsd: found 4,000,000,000 particles in frame 1"
     ):
         steps[1]
+
+
+@pytest.mark.parametrize("at", [8, 16, 24, 32])
+@pytest.mark.parametrize("number", [2**62, 2**64 - 1, 10**6])
+def test_tables_that_do_not_lie_in_the_file(tmp_path, at, number):
+    """The header says where they begin and how many entries they have."""
+    path = write(tmp_path / "a.gsd", frame(diameter=DIAMETERS))
+    data = bytearray(path.read_bytes())
+    data[at : at + 8] = number.to_bytes(8, "little")
+    path.write_bytes(data)
+    with pytest.raises(spherepacking.PackingFileError, match=r"a\.gsd: found a table of \S+ entr"):
+        spherepacking.read(path)
+
+
+def test_a_box_that_is_none(tmp_path):
+    damaged = frame(diameter=DIAMETERS) | {"configuration/box": np.ones(4, np.float32)}
+    path = write(tmp_path / "a.gsd", damaged)
+    with pytest.raises(
+        spherepacking.PackingFileError, match=r"a\.gsd: found a frame 0 that cannot"
+    ):
+        spherepacking.read(path)

@@ -304,7 +304,8 @@ BAD = {
     "coordinate": (PDB.replace(" 7.125", " 7.x25"), 3, "7.x25", "columns 31 to 54"),
     "nan": (PDB.replace(" 7.125", "   nan"), 3, "nan", "columns 31 to 54"),
     "blank": (PDB.replace(" 7.625", "      "), 4, "CA", "columns 31 to 54"),
-    "cut": (PDB[: PDB.index("  7.625") + 4], 4, "CA", "columns 31 to 54"),
+    "short": (PDB[: PDB.index("  7.625") + 4] + "\n", 4, "CA", "columns 31 to 54"),
+    "cut": (PDB[: PDB.index(" 12.25")], 3, "the end of the file within", "add one if the file is"),
     "misspelt": (PDB.replace("HETATM", "HETAMT"), 5, "HETAMT", "ATOM, HETATM"),
     "hole": (
         "ATOM      1  QSS SPH S   0       1.250  -2.500   3.750  1.40  1.40\n",
@@ -315,7 +316,8 @@ BAD = {
 BAD_CIF = {
     "cif, empty": ("", None, "no atoms", "_atom_site"),
     "cif, prose": ("hello\n", 1, "no text of that format", "an mmCIF file"),
-    "cif, cut": (CIF[:-3], None, "no text of that format", "an mmCIF file"),
+    "cif, cut": (CIF[:-3], CIF.count("\n"), "the end of the file within", "a line end after every"),
+    "cif, short": (CIF[:-3] + "\n", None, "no text of that format", "an mmCIF file"),
     "cif, no atoms": ("data_x\n_cell.length_a 10\n", None, "no atoms", "_atom_site"),
     "cif, coordinate": (CIF.replace(" 2.5 ", " x "), None, "nan", "finite numbers"),
     "cif, unknown": (CIF.replace(" 2.5 ", " ? "), None, "nan", "finite numbers"),
@@ -333,6 +335,21 @@ def test_bad_files(write, case):
     assert message.startswith(str(path) + (f", line {line}: " if line else ""))
     before, _, after = message.partition(", expected ")
     assert found in before and expected in after
+
+
+@needs_gemmi
+@pytest.mark.parametrize(("name", "text"), [("p.pdb", PDB), ("p.cif", CIF)])
+def test_a_file_cut_at_every_byte(write, name, text):
+    """Nothing tells that whole lines are missing; of END and TER the line need not end."""
+    whole = MoleculeFile(write(text, name)).read().points.tolist()
+    for length in range(1, len(text)):
+        path = write(text[:length], name)
+        try:
+            points = MoleculeFile(path).read().points.tolist()
+        except PackingFileError:
+            continue
+        last = text[:length].rpartition("\n")[2]
+        assert points == whole[: len(points)] and last in ("", "E", "EN", "END"), last
 
 
 @needs_gemmi
@@ -359,3 +376,71 @@ def test_pyvista_reads_other_files_by_extension(write, name):
     path = write(texts[name], name)
     for packing in (pv.read(path), spherepacking.read(path)):
         assert packing.n_points == 1 and packing["radius"].tolist() == [1]
+
+
+ROWS = """data_x
+loop_
+_atom_site.{}
+{}
+"""
+COLUMNS = {
+    "id": ("1", "2"),
+    "type_symbol": ("C", "N"),
+    "label_atom_id": ("CA", "N"),
+    "label_alt_id": (".", "."),
+    "label_comp_id": ("ALA", "GLY"),
+    "label_asym_id": ("A", "B"),
+    "Cartn_x": ("1.5", "4"),
+    "Cartn_y": ("2", "5"),
+    "Cartn_z": ("3", "6"),
+}
+
+
+def atoms_of(path, *absent):
+    columns = {name: values for name, values in COLUMNS.items() if name not in absent}
+    rows = "\n".join(" ".join(row) for row in zip(*columns.values(), strict=True))
+    path.write_text(ROWS.format("\n_atom_site.".join(columns), rows))
+    return spherepacking.read(path)
+
+
+@needs_gemmi
+@pytest.mark.parametrize(
+    "absent",
+    [
+        (),
+        ("id",),
+        ("label_alt_id",),
+        ("label_asym_id",),
+        ("label_atom_id", "label_comp_id"),
+        ("id", "label_alt_id", "label_asym_id", "label_atom_id", "label_comp_id"),
+    ],
+)
+def test_columns_that_mmcif_may_leave_out(tmp_path, absent):
+    packing = atoms_of(tmp_path / "a.cif", *absent)
+    assert packing.points.tolist() == [[1.5, 2, 3], [4, 5, 6]]
+    assert packing["element"].tolist() == ["C", "N"]
+    if "label_asym_id" not in absent:
+        assert packing["chain"].tolist() == ["A", "B"]
+
+
+@needs_gemmi
+def test_atoms_of_no_element(tmp_path):
+    with pytest.raises(
+        spherepacking.PackingFileError, match=r"a\.cif: found no _atom_site\.type_s"
+    ):
+        atoms_of(tmp_path / "a.cif", "type_symbol")
+
+
+@needs_gemmi
+def test_an_incomplete_cell_is_one_sentence(tmp_path):
+    path = tmp_path / "a.cif"
+    path.write_text(
+        "data_x\n_cell_length_a 10\nloop_\n_atom_site_label\n_atom_site_fract_x\n"
+        "_atom_site_fract_y\n_atom_site_fract_z\nC1 0.1 0.2 0.3\n"
+    )
+    with pytest.raises(spherepacking.PackingFileError) as caught:
+        spherepacking.read(path)
+    assert str(caught.value) == (
+        f"{path}: found no _cell_length_b, expected the whole cell that the coordinates are "
+        "fractions of"
+    )

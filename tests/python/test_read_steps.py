@@ -138,9 +138,73 @@ def test_numbers_that_repeat_are_not_replaced_by_indices(tmp_path, numbers, time
     with pytest.raises(ValueError, match=rf"found {numbers[2]}, .* it is that of the steps 2, 3"):
         spherepacking.read(path, time=numbers[2])
     assert spherepacking.read(path, step=3).points[0, 0] == 3.0
-    # VTK wants times that increase.
+
+
+@pytest.mark.skipif(pv.version_info < (0, 49), reason="PyVista before 0.49 knows no such classes")
+@pytest.mark.parametrize("numbers", [[0, 1, 2, 2, 3, 4], [0, 100, 200, 100], [5, 4, 3], [7, 8]])
+def test_pyvista_has_the_times_of_the_file(tmp_path, numbers):
+    path = tmp_path / "restarted.dump"
+    path.write_text("".join(DUMP.format(step=step, x=i) for i, step in enumerate(numbers)))
     reader = pv.get_reader(path)
-    assert reader.time_values == list(range(len(numbers)))
+    assert reader.time_values == numbers
+    for i, number in enumerate(numbers):
+        reader.set_active_time_point(i)
+        assert reader.active_time_value == reader.time_point_value(i) == number
+        packing = reader.read()
+        assert (packing.points[0, 0], packing.field_data["TimeValue"][0]) == (i, number)
+        if numbers.count(number) > 1:
+            with pytest.raises(ValueError, match=rf"found {number}, which .* time points \d, \d"):
+                reader.set_active_time_value(number)
+            assert reader.active_time_value == number
+        else:
+            reader.set_active_time_point(0)
+            reader.set_active_time_value(number)
+            assert reader.read().points[0, 0] == i
+    reader.set_active_time_point(-1)
+    assert reader.active_time_value == numbers[-1]
+    with pytest.raises(IndexError, match=rf"time_point: found 9, expected 0 to {len(numbers) - 1}"):
+        reader.set_active_time_point(9)
+
+
+@pytest.mark.skipif(pv.version_info < (0, 49), reason="PyVista before 0.49 knows no such classes")
+def test_pyvista_counts_steps_without_times(tmp_path):
+    reader = pv.get_reader(xyz(tmp_path / "a.xyz", "", ""))
+    assert reader.time_values == [0, 1]
+    reader.set_active_time_value(1)
+    assert reader.read().points[0, 0] == 1
+    assert "TimeValue" not in reader.read().field_data
+
+
+def test_arguments_that_are_none(tmp_path):
+    path = tmp_path / "a.dump"
+    path.write_text("".join(DUMP.format(step=step, x=step) for step in range(10)))
+    steps = spherepacking.steps(path)
+    with pytest.raises(IndexError, match="steps: found 30, expected 0 to 9"):
+        steps[30]
+    assert steps[-1].points[0, 0] == 9
+    assert len(list(steps[3:5])) == 2
+    with pytest.raises(TypeError, match="steps: found True, expected an integer"):
+        steps[True]
+    with pytest.raises(TypeError, match="time: found '3', expected a number"):
+        spherepacking.read(path, time="3")
+    with pytest.raises(TypeError, match="time: found nan"):
+        spherepacking.read(path, time=float("nan"))
+
+
+def test_names_of_columns_one_by_one(tmp_path):
+    path = tmp_path / "a.txt"
+    path.write_text("7 1 2 3 0.5\n9 4 5 6 0.25\n")
+    for columns in ("id x y z r", ["id", "x", "y", "z", "r"], ("id", "x", "y", "z", "r")):
+        packing = spherepacking.read(path, columns=columns)
+        assert packing["radius"].tolist() == [0.5, 0.25]
+        assert packing["id"].tolist() == [7, 9]
+    with pytest.raises(ValueError, match="columns: found 'a b', expected names without blanks"):
+        spherepacking.read(path, columns=["a b", "x"])
+    with pytest.raises(ValueError, match="columns: found no name"):
+        spherepacking.read(path, columns=[])
+    for wrong in (5, ["x", 1]):
+        with pytest.raises(TypeError, match=r"columns: found .*, expected names"):
+            spherepacking.read(path, columns=wrong)
 
 
 def test_an_index_is_no_time(tmp_path):
@@ -274,7 +338,7 @@ def test_an_error_names_the_file_of_the_step(tmp_path):
     (tmp_path / "a1.vtu").write_text("<VTKFile")
     steps = spherepacking.steps(tmp_path / "a*.vtu")
     assert xs(steps[:1]) == [0]
-    with pytest.raises(spherepacking.PackingFileError, match=r"a1\.vtu: found no dataset"):
+    with pytest.raises(spherepacking.PackingFileError, match=r"a1\.vtu: found no XML"):
         steps[1]
 
 

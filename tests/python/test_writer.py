@@ -5,6 +5,7 @@ import pytest
 import pyvista as pv
 import spherepacking
 from drawing import packing
+from spherepacking.files.writers import left_out
 
 
 def save(mesh, path):
@@ -89,3 +90,27 @@ def test_any_dataset_with_given_radii(tmp_path):
     assert spherepacking.read(path)["radius"].tolist() == [0.5, 2.0] * 2
     with pytest.raises(spherepacking.PackingFileError, match=r"a\.xyzr: .*no point array 'size'"):
         spherepacking.write(grid, path, radius="size")
+
+
+@pytest.mark.parametrize("time", [2.5, -0.1, 1e300, 0.0, 100.0, -3.0, 2.0**53])
+def test_the_time_of_a_dump(tmp_path, time):
+    """LAMMPS counts steps by whole numbers; ITEM: TIME is what it writes before them."""
+    mesh = packing(2)
+    mesh.field_data["TimeValue"] = [time]
+    path = tmp_path / "a.dump"
+    spherepacking.write(mesh, path)
+    lines = path.read_text().splitlines()
+    assert lines[lines.index("ITEM: TIMESTEP") + 1].lstrip("-").isdigit()
+    assert ("ITEM: TIME" in lines) == (not time.is_integer() or time == 1e300)
+    assert spherepacking.read(path).field_data["TimeValue"].tolist() == [time]
+    assert spherepacking.steps(path).times == [time]
+
+
+@pytest.mark.parametrize("extension", ["spheres", "xyzr", "xyzd", "txt", "csv"])
+def test_the_time_that_is_left_out_is_named(tmp_path, extension):
+    mesh = packing(2)
+    mesh.field_data["TimeValue"] = [2.5]
+    sentence = left_out(mesh, tmp_path / f"a.{extension}")
+    assert sentence.endswith("alone: left out the time")
+    assert left_out(mesh, "a.dump") is None
+    assert left_out(mesh, "a.xyz") is None

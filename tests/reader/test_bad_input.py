@@ -3,7 +3,9 @@
 import os
 import struct
 
+import numpy as np
 import pytest
+import pyvista as pv
 
 NOT_FOUND, CANNOT_OPEN, END_OF_FILE, FORMAT = 20001, 20002, 20004, 20005
 
@@ -158,9 +160,9 @@ TEXTS = {
     "csv, too many": (
         "p.csv",
         "x,y,z,r\n1,2,3,4,5\n",
-        2,
-        "5 columns '1,2,3,4,5'",
-        "4 columns: x y z r",
+        1,
+        "the 4 names 'x,y,z,r' over rows of 5 columns",
+        "a name for each column",
     ),
     "csv, decimal commas": ("p.csv", "x;y;z;r\n1,5;2;3;4\n", 2, "'1,5' as x", "a number"),
     "csv, two in one": ("p.csv", "x,y,z,r\n1 2,3,4,5\n", 2, "'1 2' as x", "a number"),
@@ -375,6 +377,61 @@ def test_bad_nfo(read_error, tmp_path, text, found):
     message, _ = read_error(tmp_path / "p.xyzd")
     assert message.startswith(f"{tmp_path / 'p.nfo'}{found}")
     assert "expected a number from 0 to below 1" in message
+
+
+@pytest.mark.parametrize(
+    ("text", "found"),
+    [
+        ("N: 2\n{}", ", line 1: found '2' as the number of spheres, expected 1"),
+        ("{}N: 1.5\n", ", line 3: found '1.5' as the number of spheres"),
+        ("N: 1\n{}N: 1\n", ", line 4: found a second line N:"),
+        ("{0}{0}", ", line 4: found a second line Final Porosity:"),
+        ("Theoretical Porosity: 0.25\n{}", ", line 2: found a second line Theoretical Porosity:"),
+        ("Theoretical Porosity: 0.3\nFinal Porosity: 0.4", ", line 2: found the end of the file"),
+    ],
+)
+def test_an_nfo_that_contradicts_itself_or_the_file(read_error, tmp_path, text, found):
+    (tmp_path / "p.xyzd").write_bytes(struct.pack("<4d", 0, 0, 0, 1))
+    (tmp_path / "p.nfo").write_text(
+        text.format(" Theoretical Porosity: 0.3\nFinal Porosity: 0.4 (Tolerance: 1)\n")
+    )
+    message, _ = read_error(tmp_path / "p.xyzd")
+    assert message.startswith(f"{tmp_path / 'p.nfo'}{found}")
+
+
+@pytest.mark.parametrize(
+    ("make", "found"),
+    [
+        (
+            lambda path: path.symlink_to(path.with_name("gone")),
+            ": found a link that leads to no file",
+        ),
+        (lambda path: path.symlink_to(path), ": found a link that leads to no file"),
+        (lambda path: path.mkdir(), ": found a directory, expected a file"),
+        (os.mkfifo, ": found a pipe or a device"),
+    ],
+    ids=["dangling", "loop", "folder", "pipe"],
+)
+def test_an_nfo_that_cannot_be_read(read_error, write, tmp_path, make, found):
+    (tmp_path / "p.xyzd").write_bytes(struct.pack("<4d", 0, 0, 0, 1))
+    make(tmp_path / "p.nfo")
+    message, _ = read_error(tmp_path / "p.xyzd")
+    assert message.startswith(f"{tmp_path / 'p.nfo'}{found}")
+    packing = pv.PolyData(np.zeros((1, 3)))
+    packing["radius"] = [0.5]
+    good, message = write(packing, tmp_path / "p.xyzd")
+    assert not good and message.startswith(f"{tmp_path / 'p.nfo'}{found}")
+
+
+def test_an_nfo_that_nobody_may_read(read_error, tmp_path):
+    (tmp_path / "p.xyzd").write_bytes(struct.pack("<4d", 0, 0, 0, 1))
+    path = tmp_path / "p.nfo"
+    path.write_text("Theoretical Porosity: 0.3\nFinal Porosity: 0.4\n")
+    path.chmod(0)
+    if os.access(path, os.R_OK):
+        pytest.skip("this user reads files that nobody may")
+    message, _ = read_error(tmp_path / "p.xyzd")
+    assert message.startswith(f"{path}: cannot open the file (Permission denied)")
 
 
 def test_an_empty_nfo(read_error, tmp_path):

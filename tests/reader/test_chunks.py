@@ -15,7 +15,7 @@ def rows(count, end="\n", seed=5):
         if i % 11 == 5:
             lines.append("  ")
         lines.append(" ".join(map(repr, row)) + (" # note" if i % 13 == 0 else ""))
-    return values, end.join(lines)
+    return values, end.join(lines) + end
 
 
 def arrays(packing):
@@ -42,11 +42,11 @@ def test_threads_and_chunk_sizes(read, tmp_path, threads, name):
     values, text = rows(5000)
     path = tmp_path / name
     if name == "p.csv":
-        text = "x,y,z,r,m\n" + "\n".join(",".join(map(repr, row)) for row in values.tolist())
+        text = "x,y,z,r,m\n" + "\n".join(",".join(map(repr, row)) for row in values.tolist()) + "\n"
     if name == "p.xyzr":
-        values = values[:, [4, 0, 1, 2, 3]]
-        text = "\n".join(" ".join(map(repr, row)) for row in values.tolist())
-        values = values[:, [1, 2, 3, 4, 0]]
+        values[:, 4] = np.arange(len(values)) % 9
+        text = "\n".join(f"{id:.0f} {x!r} {y!r} {z!r} {r!r}" for x, y, z, r, id in values.tolist())
+        text += "\n"
     path.write_text(text)
     expected = [values[:, :3].tobytes(), values[:, 3].tobytes(), values[:, 4].tobytes()]
     for count in (1, 2, 3, 7):

@@ -96,6 +96,29 @@ def test_bad_head(read_error, tmp_path, name):
     assert expected in message
 
 
+def test_a_head_cut_at_every_byte(reader_for, tmp_path):
+    for length in range(1, len(HEAD)):
+        reader = reader_for(write(tmp_path, HEAD[:length]), fmt="ESYS")
+        reader.AddObserver("ErrorEvent", lambda *_: None)
+        reader.Update()
+        assert reader.GetErrorMessage() != "", HEAD[:length]
+    reader.SetFileName(str(write(tmp_path, HEAD.replace(" run_t=250_2.txt", ""))))
+    reader.Update()
+    assert "line 9: found 1 files of particles, but 'run_t=250_2.txt' beside" in (
+        reader.GetErrorMessage()
+    )
+
+
+def test_particles_cut_at_every_byte(reader_for, tmp_path):
+    """Bonds and what more may be missing behind the particles do not matter."""
+    rows = FIRST.index("0\nTMIG")
+    for length in range(len(FIRST)):
+        reader = reader_for(write(tmp_path, first=FIRST[:length]))
+        reader.AddObserver("ErrorEvent", lambda *_: None)
+        reader.Update()
+        assert (reader.GetErrorMessage() == "") == (length >= rows), FIRST[:length]
+
+
 BAD_WORKERS = {
     "count": (FIRST.replace("2\n", "5\n", 1), 1, "5 as the number of particles", "as many"),
     "huge": (FIRST.replace("2\n", "99999999999999\n", 1), 1, "99999999999999", "room"),

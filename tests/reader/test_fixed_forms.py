@@ -4,6 +4,7 @@ import re
 
 import numpy as np
 import pytest
+import spherepacking
 
 
 def check(packing, spheres):
@@ -327,7 +328,26 @@ def test_charges_and_radii_in_the_columns_of_a_pdb_file(read_text, read_error, t
     (tmp_path / "p.pqr").write_text(PDB)
     message, _ = read_error(tmp_path / "p.pqr")
     assert "p.pqr, line 2: found occupancy and temperature factor (B-factor) in" in message
-    assert message.endswith("expected charge and radius; rename the file to .pdb if it is one")
+    assert "expected charge and radius; rename the file to .pdb if it is one" in message
+
+
+ION = "HETATM    1 NA    NA A   1       1.000   2.000   3.000  1.00  3.00\n"
+
+
+def test_one_ion_of_which_nobody_knows_whether_it_has_a_radius(read_error, tmp_path):
+    path = tmp_path / "p.pqr"
+    path.write_text(ION)
+    message, _ = read_error(path)
+    assert 'rename the file to .pdb if it is one, or say radius="radius" (--radius' in message
+    packing = spherepacking.read(path, radius="radius")
+    check(packing, [(1, 2, 3, 3)])
+    assert packing["charge"].tolist() == [1]
+    check(spherepacking.read(path, radius=1.5), [(1, 2, 3, 1.5)])
+    check(spherepacking.read(path, radius={"NA": 1.25}), [(1, 2, 3, 1.25)])
+    other = tmp_path / "p.txt"
+    other.write_text(ION)
+    message, _ = read_error(other)
+    assert message.endswith("; name the file .pqr if these numbers are charge and radius")
 
 
 @pytest.mark.parametrize(
@@ -409,7 +429,14 @@ BAD = {
         "ATOM",
     ),
     "swc, negative": ("p.swc", SWC.replace("0.75 1", "-0.75 1"), 3, "'-0.75' as radius", "not"),
-    "swc, cut": ("p.swc", SWC[:-7], 4, "columns '5 3 2.5", "7 columns: id type x y z radius"),
+    "swc, cut": ("p.swc", SWC[:-7], 4, "within the row ' 5 3 2.5", "a line end after every row"),
+    "swc, short": (
+        "p.swc",
+        SWC[:-7] + "\n",
+        4,
+        "columns '5 3 2.5",
+        "7 columns: id type x y z radius",
+    ),
     "swc, none": ("p.swc", "# nothing\n", None, "no sphere", "id type x y z radius parent"),
     "geo, no end": ("p.geo", GEO.partition("EndP")[0], 9, "the end of the file", "EndParticles"),
     "geo, cut header": ("p.geo", GEO[:40], 2, "'BoundingBox", "two corners"),
@@ -487,9 +514,9 @@ def test_bad_files(read_error, tmp_path, case):
     "text", [TREE + "Options\n", DOCK, HOLE, SWC, GEO, MDPA], ids=lambda t: t[:9]
 )
 @pytest.mark.parametrize("end", ["\r\n", "\r"], ids=["crlf", "cr"])
-def test_line_ends_and_no_last_one(read_text, text, end):
+def test_line_ends(read_text, text, end):
     name = "p.sph" if text.startswith(TREE) else "p.txt"
     packing = read_text(text, name)
-    other = read_text("\ufeff" + text.rstrip("\n").replace("\n", end), name)
+    other = read_text("\ufeff" + text.replace("\n", end), name)
     assert other.points.tolist() == packing.points.tolist()
     assert other["radius"].tolist() == packing["radius"].tolist()

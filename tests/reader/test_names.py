@@ -22,6 +22,7 @@ def refused(read_error, tmp_path):
     return read
 
 
+HINT = 'columns="id x y z r" (--columns)'
 FOUR = "1.5 2.5 3.5 0.5\n4 5 6.5 0.25\n"
 FIVE = "1.5 2.5 3.5 0.5 7.25\n4 5 6.5 0.25 9\n"
 BY_PLACE = [[1.5, 2.5, 3.5, 0.5], [4, 5, 6.5, 0.25]]
@@ -112,7 +113,7 @@ def test_names_with_a_diameter_over_five_columns(read_text, names):
 def test_lists_of_other_names_over_four_columns(refused, names):
     message = refused(f"# made by hand\n# {names}\n# of today\n{FOUR}")
     assert message.startswith(", line 2: found ")
-    assert 'columns="id x y z r"' in message
+    assert 'columns="x y z r"' in message
 
 
 @pytest.mark.parametrize(
@@ -143,6 +144,8 @@ def test_lists_of_other_names_over_five_columns(refused, names):
         "x, y, z, radius of the sphere",
         "x1 x2 x3 r",
         "x y z and r",
+        "x / y / z / r and more",
+        "xyzr of the spheres",
         "positions and radii",
         "sphere center radius",
     ],
@@ -151,12 +154,78 @@ def test_sentences_and_what_fits_by_place(read_text, words):
     assert spheres(read_text(f"# {words}\n{FOUR}")) == BY_PLACE
 
 
+@pytest.mark.parametrize(
+    ("name", "factor"),
+    [
+        *((name, 1) for name in ["R_eff", "r_eff", "Rp", "R_p", "rp", "Reff", "radius_mm"]),
+        *((name, 0.5) for name in ["d_eq", "D_eff", "dp", "d_p", "diameter_um", "Diameter/mm"]),
+        *((name, 1) for name in ["inscribed_radius", "Effective radius", "radius/mm"]),
+        ("equivalent_sphere_diameter", 0.5),
+    ],
+)
+def test_sizes_that_are_certain_by_their_parts(read_text, name, factor):
+    expected = [[*row[:3], row[3] * factor] for row in BY_PLACE]
+    header = f"x,y,z,{name}\n"
+    assert spheres(read_text(header + FOUR.replace(" ", ","), "p.csv")) == expected
+    assert spheres(read_text("# " + header + FOUR)) == expected
+
+
+@pytest.mark.parametrize("axes", ["px,py,pz", "p_x,p_y,p_z", "xp,yp,zp", "X_p,Y_p,Z_p"])
+def test_coordinates_of_particles(read_text, axes):
+    for names in (f"{axes},radius", f"{axes},r"):
+        assert spheres(read_text(f"{names}\n{FOUR}".replace(" ", ","), "p.csv")) == BY_PLACE
+        assert spheres(read_text(f"# {names}\n{FOUR}".replace(",", " "))) == BY_PLACE
+    assert spheres(read_text(f"# radius,{axes}\n{FOUR}".replace(",", " "))) == RADIUS_FIRST
+
+
+@pytest.mark.parametrize(
+    ("header", "radius"),
+    [
+        *(("x,y,z,radius,R_eff", 4), ("x,y,z,R_eff,r", 5), ("x,y,z,r,Rp", 4), ("x,y,z,dp,d", 2.5)),
+        *(("x,y,z,radius_mm,radius", 5), ("x,y,z,r,radius_mm", 4), ("x,y,z,d_eq,Rp", 5)),
+        *(("x,y,z,Rp,diameter", 2.5), ("x,y,z,radius_mm,diameter", 2.5), ("x,y,z,dp,radius_mm", 5)),
+        *(("x_mm,y_mm,z_mm,r_um,r", 5), ("x_mm,y_mm,z_mm,r_mm,radius_um", 4)),
+    ],
+)
+def test_plain_names_win(read_text, header, radius):
+    packing = read_text(header + "\n1,2,3,4,5\n", "p.csv")
+    assert packing["radius"].tolist() == [radius]
+    assert packing.n_arrays == 2, "the other stays"
+
+
+@pytest.mark.parametrize("axes", ["x,y,z", "pos_x,pos_y,pos_z"])
+def test_a_momentum_beside_a_place(read_text, axes):
+    packing = read_text(f"{axes},px,py,pz,r\n1,2,3,4,5,6,7\n", "p.csv")
+    assert spheres(packing) == [[1, 2, 3, 7]]
+    assert packing["px"].tolist() == [4]
+
+
+@pytest.mark.parametrize("name", ["r_i", "R_s", "r_m", "d_m", "r_cm", "radial", "rxx", "r_um"])
+def test_names_that_may_be_something_else(refused, name):
+    message = refused(f"x,y,z,{name}\n1,2,3,4\n", "p.csv")
+    assert message.startswith(f", line 1: found the columns 'x,y,z,{name}', expected a header")
+
+
+def test_two_names_of_parts(refused):
+    message = refused("x,y,z,r_eff,Rp\n1,2,3,4,5\n", "p.csv")
+    assert "'r_eff' and 'Rp', which name one thing twice" in message
+
+
+@pytest.mark.parametrize("angle", ["theta", "phi"])
+def test_the_user_may_call_a_distance_a_radius(read_text, angle):
+    packing = read_text(FIVE, columns=f"x y z r {angle}")
+    assert spheres(packing) == BY_PLACE
+    assert packing[angle].tolist() == [7.25, 9]
+
+
 @pytest.mark.parametrize("angle", ["theta", "phi", "azimuth", "polar", "θ"])
 @pytest.mark.parametrize("begin", ["", "# "])
 def test_r_beside_an_angle_is_a_distance(refused, read_text, angle, begin):
     for names, rows in (("r {} z x y", "1 2 3 4 5\n"), ("x y z r {}", "4.5 5 3 1 2\n")):
         text = begin + names.format(angle) + "\n" + rows
-        assert "'r', which is a distance" in refused(text)
+        message = refused(text)
+        assert "'r', which is a distance" in message
+        assert 'or radius="r" (--radius) if it is one' in message
     text = f"{begin}x y z radius {angle}\n4.5 5 3 1 2\n"
     assert spheres(read_text(text)) == [[4.5, 5, 3, 1]]
 
@@ -234,7 +303,26 @@ def test_what_may_be_an_index_without_a_name(refused, second, name):
     text = f"x,y,z,r\n1,1.5,2.5,3.5,0.5\n{second},4,5,6.5,0.25\n"
     message = refused(text, name)
     assert ("an index without a name" in message) == (second == "2")
-    assert message.startswith(", line 1: found" if second == "2" else ", line 2: found 5 columns")
+    assert message.startswith(", line 1: found the 4 names 'x,y,z,r' over rows of 5 columns")
+    assert HINT in message
+
+
+@pytest.mark.parametrize(
+    ("text", "name"),
+    [
+        ("     x    y    z     r\n0  1.5  2.5  3.5  0.50\n4  4.0  5.0  6.5  0.25\n", "p.txt"),
+        ('"x" "y" "z" "r"\n"a" 1.5 2.5 3.5 0.5\n"b" 4 5 6.5 0.25\n', "p.txt"),
+        ('"x"\t"y"\t"z"\t"r"\n"a"\t1.5\t2.5\t3.5\t0.5\n"b"\t4\t5\t6.5\t0.25\n', "p.txt"),
+        ('"x","y","z","r"\n"a",1.5,2.5,3.5,0.5\n"b",4,5,6.5,0.25\n', "p.csv"),
+        ("x,y,z,r\n3,1.5,2.5,3.5,0.5\n5,4,5,6.5,0.25\n", "p.csv"),
+    ],
+    ids=["pandas", "R", "R with tabs", "R with commas", "numbers with gaps"],
+)
+def test_an_index_that_does_not_count(refused, read_text, text, name):
+    message = refused(text, name)
+    assert message.startswith(", line 1: found the 4 names ")
+    assert " over rows of 5 columns, expected a name for each column, or " + HINT in message
+    assert spheres(read_text(text, name, columns="id x y z r")) == BY_PLACE
 
 
 @pytest.mark.parametrize("name", ["radius_{}", "Radius:{}", "diameter_{}"])

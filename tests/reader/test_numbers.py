@@ -85,7 +85,7 @@ def test_random_numbers_of_many_forms_round_as_pythons(read_text):
     ]
     # A short form of the largest values may round beyond all doubles.
     rows = [row for row in rows if all(math.isfinite(float(text)) for text in row)]
-    packing = read_text("\n".join(map(" ".join, rows)), chunk=1000)
+    packing = read_text("\n".join(map(" ".join, rows)) + "\n", chunk=1000)
     expected = np.array([[float(text) for text in row] for row in rows])
     assert len(rows) > 9000
     assert bits(packing.points) == bits(expected[:, :3])
@@ -112,7 +112,7 @@ def short_decimals():
 def test_short_decimals_round_as_pythons(read_text, separator):
     texts = short_decimals()
     rows = [separator.join([text, "1", text, text.lstrip("-")]) for text in texts]
-    packing = read_text("\n".join(rows), chunk=5000)
+    packing = read_text("\n".join(rows) + "\n", chunk=5000)
     expected = [float(text) for text in texts]
     assert bits(packing.points[:, 0]) == bits(packing.points[:, 2]) == bits(expected)
     assert bits(packing["radius"]) == bits(np.abs(expected))

@@ -1,5 +1,8 @@
 """Time steps: their values, those that a stopped run has cut, all formats that have them."""
 
+import os
+import time
+
 import numpy as np
 import pytest
 import pyvista as pv
@@ -202,3 +205,90 @@ def test_a_line_longer_than_a_block_of_the_search(tmp_path, read_steps):
     times, packings = read_steps(tmp_path / "p.xyz")
     assert times == [1, 2]
     assert [packing.n_points for packing in packings] == [2, 2]
+
+
+# --- finding them ---------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("end", ["\n", "\r\n", "\r"], ids=["lf", "crlf", "cr"])
+@pytest.mark.parametrize("name", FORMATS)
+def test_time_is_linear_in_the_steps(tmp_path, reader_for, name, end):
+    step = "ITEM: TIMESTEP\n1\n" if name == "p.dump" else FORMATS[name](1, rows=ROWS[:1])
+    path = tmp_path / name
+
+    def seconds(count):
+        path.write_bytes((step * count).replace("\n", end).encode())
+        reader = reader_for(path)
+        start = time.perf_counter()
+        reader.UpdateInformation()
+        taken = time.perf_counter() - start
+        assert reader.GetStepTimes().GetNumberOfTuples() == count
+        return taken
+
+    # Enough that the memory of few comes from the system, too.
+    count = 200_000 if name == "p.dump" else 50_000
+    few = min(seconds(count) for _ in range(3))
+    many = min(seconds(8 * count) for _ in range(2))
+    assert many < 40 * few, "8 times as many steps, in new memory; quadratic time would be 64"
+
+
+@pytest.fixture
+def one_thread(vtk_core):
+    vtk_core.vtkSMPTools.Initialize(1)
+    yield
+    vtk_core.vtkSMPTools.Initialize(0)
+
+
+@pytest.mark.parametrize("name", FORMATS)
+@pytest.mark.usefixtures("one_thread")
+def test_the_search_reports_and_can_be_stopped(tmp_path, reader_for, name):
+    path = tmp_path / name
+    rows = ROWS * (400_000 if name == "p.dump" else 100_000)  # which is searched in larger pieces
+    path.write_text(FORMATS[name](0, 1, 2, rows=rows))
+    reader = reader_for(path)
+    seen = []
+    reader.AddObserver("ProgressEvent", lambda r, _: seen.append(r.GetProgress()))
+    reader.UpdateInformation()
+    assert len(seen) >= 3 and seen == sorted(seen) and seen[-1] == 1
+    assert reader.GetStepTimes().GetNumberOfTuples() == 3
+
+    reader = reader_for(path)
+    reader.AddObserver("ProgressEvent", lambda r, _: r.SetAbortExecute(1))
+    reader.UpdateInformation()
+    assert reader.GetStepTimes().GetNumberOfTuples() == 0
+    assert reader.GetErrorMessage() == ""
+
+
+@pytest.mark.parametrize("how", ["in place", "renamed"])
+def test_a_file_that_was_written_again_in_the_same_second(tmp_path, reader_for, how):
+    path = tmp_path / "p.dump"
+    path.write_text(dump(0) + dump(1) + dump(2, rows=ROWS * 9))
+    stamp = path.stat()
+    reader = reader_for(path)
+    reader.UpdateTimeStep(1)
+    assert reader.GetOutput().GetNumberOfPoints() == 2
+    other = tmp_path / "other" if how == "renamed" else path
+    other.write_text(dump(0) + dump(1, rows=ROWS * 9) + dump(2))
+    os.utime(other, ns=(stamp.st_atime_ns, stamp.st_mtime_ns))
+    other.replace(path)
+    assert path.stat().st_size == stamp.st_size
+    assert path.stat().st_mtime_ns == stamp.st_mtime_ns
+    reader.Modified()
+    reader.UpdateTimeStep(1)
+    assert reader.GetErrorMessage() == ""
+    assert reader.GetOutput().GetNumberOfPoints() == 18
+
+
+@pytest.mark.parametrize("value", ["nan", "inf", "1e400", "5x", "x"])
+def test_times_that_are_none(tmp_path, reader_for, read_steps, value):
+    """A comment of XYZ may say anything; the head of a step of MercuryDPM may not."""
+    (tmp_path / "p.xyz").write_text(xyz("Time=0", f"Time={value}"))
+    reader = reader_for(tmp_path / "p.xyz")
+    reader.UpdateInformation()
+    np.testing.assert_array_equal(pv.convert_array(reader.GetStepTimes()), [0, np.nan])
+    (tmp_path / "p.data").write_text(mercury(0, value))
+    assert read_steps(tmp_path / "p.data") == ([], [])
+    reader = reader_for(tmp_path / "p.data")
+    reader.AddObserver("ErrorEvent", lambda *_: None)
+    reader.Update()
+    assert f"line 4: found '2 {value} 0 0 0 9 9 9 '" in reader.GetErrorMessage()

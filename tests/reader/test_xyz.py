@@ -212,3 +212,47 @@ def test_bad_xyz(read_error, tmp_path, case):
     assert found in message
     assert expected in message[message.index("expected") :]
     assert code == FORMAT
+
+
+@pytest.mark.parametrize(
+    ("name", "row", "radius"),
+    [
+        ("r:R:1", "0.5", 0.5),
+        ("d:R:1", "0.5", 0.25),
+        ("D:R:1", "0.5", 0.25),
+        ("diam:R:1", "0.5", 0.25),
+        ("Durchmesser:R:1", "0.5", 0.25),
+        ("particle_radius:R:1", "0.5", 0.5),
+        ("particle_diameter:R:1", "0.5", 0.25),
+        ("r:R:1:d:R:1", "0.5 8", 0.5),
+        ("r:R:1:radius:R:1", "8 0.5", 0.5),
+        ("r:R:1:diameter:R:1", "8 0.5", 0.25),
+        ("radii:R:3", "0.5 0.5 0.5", 0.5),
+        ("diameter:R:3", "0.5 0.5 0.50", 0.25),
+        ("radii:R:3:radius:R:1", "1 2 3 0.5", 0.5),
+    ],
+)
+def test_sizes_by_other_names(read_text, name, row, radius):
+    packing = read_text(extended(f"Properties=pos:R:3:{name}", f"1 2 3 {row}\n"), "p.xyz")
+    assert packing["radius"].tolist() == [radius]
+    assert not {"radii_1", "radii_2", "diameter_1"} & set(packing.point_data) or "radius:" in name
+
+
+@pytest.mark.parametrize(
+    ("name", "row", "found"),
+    [
+        ("r:R:1:theta:R:1", "0.5 1", "Properties without a radius"),
+        ("r:R:1:g:R:1:b:R:1", "0.5 1 1", "Properties without a radius"),
+        ("depth:R:1", "0.5", "Properties without a radius"),
+        ("r:R:3", "0.5 0.5 0.5", "Properties without a radius"),
+        ("r:S:1", "0.5", "Properties without a radius"),
+        ("radius_mm:R:1", "0.5", "Properties without a radius"),
+        ("r:R:1:rad:R:1", "0.5 0.5", "r and rad in Properties="),
+        ("radii:R:3", "0.5 0.5 0.6", "different components of 'radii' of atom 1"),
+        ("radii:R:3", "0.5 x 0.5", "different components of 'radii' of atom 1"),
+        ("diameter:R:3", "0.5 0.6 0.5", "different components of 'diameter' of atom 1"),
+    ],
+)
+def test_sizes_that_are_not_certain(read_text, name, row, found):
+    with pytest.raises(Exception, match=rf"p\.xyz, line 2: found {found}"):
+        read_text(extended(f"Properties=pos:R:3:{name}", f"1 2 3 {row}\n"), "p.xyz")

@@ -145,7 +145,8 @@ int vtkSpherePackingReader::RequestInformation(
     {
       return;
     }
-    const TimeSteps& steps = this->Internal->Steps.Find(format, this->FileName);
+    spherepacking::Progress progress(this);
+    const TimeSteps& steps = this->Internal->Steps.Find(format, this->FileName, progress);
     for (const TimeStep& step : steps.Steps)
     {
       this->Internal->StepTimes->InsertNextValue(step.Time.value_or(vtkMath::Nan()));
@@ -234,7 +235,7 @@ void vtkSpherePackingReader::ReadStep(spherepacking::Format format, const std::s
   {
     value = outInfo->Get(SDDP::UPDATE_TIME_STEP());
   }
-  const TimeSteps& steps = this->Internal->Steps.Find(format, file);
+  const TimeSteps& steps = this->Internal->Steps.Find(format, file, progress);
   const std::size_t chosen = steps.IndexOf(value);
   const auto read = format == Format::Dump ? ReadDump
     : format == Format::Xyz                ? ReadXyz

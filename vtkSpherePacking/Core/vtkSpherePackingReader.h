@@ -11,7 +11,7 @@
  * | format      | extension                    | content                                          |
  * |-------------|------------------------------|--------------------------------------------------|
  * | SPHERES     | .spheres, .txt, any other    | `x y z r` per line                               |
- * | XYZR        | .xyzr                        | the last four columns of numbers are the sphere  |
+ * | XYZR        | .xyzr                        | `x y z r`, with ids or flags before or behind it |
  * | YADE        | any, with a line `#format`   | `#format x_y_z_r_matId` names the columns        |
  * | CSV         | .csv                         | a header names x, y, z and r, radius, d, diameter|
  * | XYZD        | .xyzd                        | little-endian float64 x y z diameter             |
@@ -36,20 +36,24 @@
  *
  * A header, by itself or as a comment before the first row, names the columns in SPHERES, XYZR and
  * YADE, too; so does one comment for each column. YADE's #format comes before comments. Numbers of
- * columns before the names ("2:x") and units after them ("x [mm]", "x mm", of one unit for centres
- * and radii) are understood, and for centres also pos_x, x_pos, center_x, cx, Points:0 and the
- * like. The full words radius and diameter come before r and d. R beside G and B is red, not a
- * radius: these become an array `rgb`, of bytes for whole numbers up to 255 and of floats for
- * numbers up to 1. r beside an angle such as theta or phi is a distance. Radius and diameter are
+ * columns before the names ("2:x") and units after them ("x [mm]", "x mm", "x/mm", of one unit for
+ * centres and radii) are understood, and for centres also pos_x, x_pos, center_x, cx, Points:0 and
+ * the like. The names of a comment may stand in any brackets or between any rules: "[x, y, z, d]",
+ * "x | y | z | d", "xyzd". The full words radius and diameter come before r and d, and these before
+ * names such as Rp, r_eff, d_eq and radius_mm. R beside G and B is red, not a radius: these become
+ * an array `rgb`, of bytes for whole numbers up to 255 and of floats for numbers up to 1. r beside
+ * an angle such as theta or phi is a distance, unless Columns calls it r. Radius and diameter are
  * understood in German, French, Italian, Spanish, Russian and Chinese, too, and one name for all
  * coordinates, as in "position diameter". A header may have no name for an index that counts the
  * rows before all columns, as pandas and R write it.
  *
  * By their places, the first four columns are x, y, z and radius: if nobody names columns, if the
  * first four names are these, or if there are only four. It is an error if a comment names columns
- * in a way that is not certain or that is not x, y, z and radius, if a comment further down names
- * other columns than those before it, if whole numbers in the first of five or more columns may be
- * ids, or if the first row may be a count and a box. Columns says what they are.
+ * in a way that is not certain or that is not x, y, z and radius, if a comment about rows without
+ * certain names may speak of diameters or of several units of length, in whatever words, or if a
+ * comment further down names other columns than those before it. So it is if whole numbers in the
+ * first of five or more columns may be ids or kinds, or if the first row may be a count and a box.
+ * Columns says what they are.
  *
  * Numbers are rounded once, to the precision of the output, as by strtod and strtof, in any locale.
  *

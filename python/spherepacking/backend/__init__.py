@@ -65,6 +65,7 @@ if TYPE_CHECKING:
     from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
     from vtkmodules.vtkDomainsChemistry import vtkPeriodicTable
     from vtkmodules.vtkFiltersCore import vtkFlyingEdges3D
+    from vtkmodules.vtkIOCore import vtkLZ4DataCompressor
     from vtkmodules.vtkRenderingCore import (
         vtkCamera,
         vtkGlyph3DMapper,
@@ -120,6 +121,7 @@ else:
     ).vtkStreamingDemandDrivenPipeline
     vtkPeriodicTable = importlib.import_module(f"{VTK_ROOT}.vtkDomainsChemistry").vtkPeriodicTable
     vtkFlyingEdges3D = importlib.import_module(f"{VTK_ROOT}.vtkFiltersCore").vtkFlyingEdges3D
+    vtkLZ4DataCompressor = importlib.import_module(f"{VTK_ROOT}.vtkIOCore").vtkLZ4DataCompressor
     _rendering_core = importlib.import_module(f"{VTK_ROOT}.vtkRenderingCore")
     vtkCamera = _rendering_core.vtkCamera
     vtkGlyph3DMapper = _rendering_core.vtkGlyph3DMapper

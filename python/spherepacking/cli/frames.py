@@ -92,7 +92,7 @@ def check_frames(output: Path, size: tuple[int, int]) -> None:
     except ImportError:
         raise ImportError(
             f"--output: found the movie {output}, which imageio writes, expected that to be "
-            "installed: pip install imageio imageio-ffmpeg; or a name such as f_%04d.png"
+            "installed: pip install 'spherepacking[movies]'; or a name such as f_%04d.png"
         ) from None
     if output.suffix.lower() != ".gif" and (size[0] % 2 or size[1] % 2):
         raise ValueError(f"--size: found {size[0]} {size[1]}, expected even numbers for a movie")

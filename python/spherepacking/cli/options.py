@@ -61,6 +61,8 @@ class RenderOptions:
         From 0 to 1.
     scalar_bar
         Show a scalar bar.
+    cell
+        Draw the edges of the simulation cell, which the file must have.
     size
         Width and height of the picture in pixels.
     camera
@@ -145,6 +147,7 @@ class RenderOptions:
     color: str | None = None
     opacity: float = 1.0
     scalar_bar: bool = True
+    cell: bool = False
     size: tuple[int, int] = (1000, 1000)
     camera: Vector | None = None
     focal: Vector | None = None
@@ -183,6 +186,7 @@ class RenderOptions:
 _TECHNIQUES: dict[str, tuple[Technique, ...]] = {
     "samples": ("raycast", "pathtrace"),
     "structure": ("raycast", "pathtrace"),
+    "cell": ("opengl", "bvh", "grid"),
     "boxes": ("bvh",),
     "cuts": ("grid",),
     **dict.fromkeys(

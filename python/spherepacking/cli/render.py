@@ -17,7 +17,7 @@ from .camera import aim, fit
 from .frames import check_frames, frame_writer, is_movie, slice_of
 from .input import open_steps, read_step
 from .options import check_technique, check_view
-from .scene import scene_of
+from .scene import cell_corners, scene_of
 from .techniques import add_boxes, add_metaballs, save_path_trace, save_ray_cast
 
 if TYPE_CHECKING:
@@ -172,17 +172,31 @@ def _add(
         and not traced
         and not means_colors(options.scalars or ""),
         scalar_bar_args=_SCALAR_BAR,
+        show_cell=options.cell and _ink(plotter.background_color),
     )
-    if options.technique in ("bvh", "grid"):
-        return add_boxes(plotter, packing, options)
-    return packing
+    boxed = options.technique in ("bvh", "grid")
+    shown = add_boxes(plotter, packing, options) if boxed else packing
+    return _with_points(shown, cell_corners(packing)) if options.cell else shown
+
+
+def _ink(background: pv.Color) -> str:
+    """A colour of lines that are seen before the background."""
+    red, green, blue = background.float_rgb
+    # Luminance of Rec. 709.
+    return "white" if 0.2126 * red + 0.7152 * green + 0.0722 * blue < 0.5 else "black"
 
 
 def _corners(bounds: tuple[float, ...]) -> pv.PolyData:
     """Corners of a box, as spheres of radius 0."""
-    box = pv.PolyData(np.asarray(pv.Box(bounds).points, dtype=float))
-    box["radius"] = np.zeros(box.n_points)
-    return box
+    return _with_points(pv.PolyData(), np.asarray(pv.Box(bounds).points, dtype=float))
+
+
+def _with_points(shown: pv.PolyData, points: np.ndarray) -> pv.PolyData:
+    """The spheres, and points as spheres of radius 0."""
+    radii = np.asarray(shown["radius"], dtype=float) if shown.n_points else np.empty(0)
+    both = pv.PolyData(np.concatenate([np.asarray(shown.points, dtype=float), points]))
+    both["radius"] = np.concatenate([radii, np.zeros(len(points))])
+    return both
 
 
 def _aim(plotter: pv.Plotter, shown: pv.PolyData, options: RenderOptions) -> None:

@@ -8,6 +8,7 @@ import numpy as np
 import pyvista as pv
 
 from ..accessor import PackingAccessor
+from ..granular.cell import cell_of, outline_of
 from ..look.look import Look
 from ..look.scalars import means_colors
 from .camera import check_extent
@@ -87,6 +88,10 @@ def scene_of(
     box: np.ndarray | None = None
     for packing, name in zip(packings, names, strict=True):
         check_extent(name, packing)
+        if options.cell:
+            corners = _cell_corners_of(packing, name)
+            here = np.stack([corners.min(axis=0), corners.max(axis=0)])
+            box = _both(box, here)
         if not packing.n_points:
             continue
         radius = np.asarray(packing.point_data["radius"], dtype=float)
@@ -95,10 +100,29 @@ def scene_of(
         if options.scalars is not None:
             values.add(_numbers_of(packing, options.scalars, several))
         low, high = np.reshape(PackingAccessor(packing).bounds, (3, 2)).T
-        here = np.stack([low, high])
-        box = here if box is None else np.stack([np.minimum(box[0], low), np.maximum(box[1], high)])
+        box = _both(box, np.stack([low, high]))
     look = _look_of(radii, positive, values, options, several)
     return Scene(look, None if box is None else tuple(box.T.ravel().tolist()))
+
+
+def cell_corners(packing: pv.PolyData) -> np.ndarray:
+    """Corners (8, 3) of the cell of a packing, or a ValueError if it has none."""
+    return np.asarray(outline_of(cell_of(packing)).points, dtype=float)
+
+
+def _cell_corners_of(packing: pv.PolyData, name: str) -> np.ndarray:
+    """The same, with an error that names the option and the file."""
+    try:
+        return cell_corners(packing)
+    except (KeyError, ValueError) as error:
+        raise ValueError(f"--cell: {name}: {error.args[0]}") from None
+
+
+def _both(box: np.ndarray | None, other: np.ndarray) -> np.ndarray:
+    """The box around two boxes (2, 3)."""
+    if box is None:
+        return other
+    return np.stack([np.minimum(box[0], other[0]), np.maximum(box[1], other[1])])
 
 
 def _numbers_of(packing: pv.PolyData, scalars: str, several: bool) -> np.ndarray:

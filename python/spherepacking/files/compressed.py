@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import bz2
 import lzma
+import os
 import shutil
 import sys
 import tempfile
@@ -109,8 +110,8 @@ class Uncompressed:
                 _copy(path, compression, pieces(path, source), target)
             # The porosities of an .xyzd file lie beside it.
             beside = path.with_name(inner_name(path)).with_suffix(".nfo")
-            if self.path.suffix.lower() == ".xyzd" and beside.is_file():
-                shutil.copy(beside, folder)
+            if self.path.suffix.lower() == ".xyzd" and os.path.lexists(beside):
+                _copy_beside(beside, folder)
         except BaseException:
             self.remove()
             raise
@@ -122,7 +123,20 @@ class Uncompressed:
             yield
         except (PackingFileError, ImportError) as error:
             text = str(error).replace(printable(str(self.path)), str(self._source))
+            text = text.replace(printable(str(self.path.parent)), str(self._source.parent))
             raise type(error)(text) from None
+
+
+def _copy_beside(path: Path, folder: str) -> None:
+    """Copy a file that belongs to the compressed one."""
+    if path.exists() and not path.is_file():
+        raise PackingFileError(f"{path}: found a folder, pipe or device, expected a file")
+    try:
+        shutil.copy(path, folder)
+    except OSError as error:
+        raise PackingFileError(
+            f"{path}: cannot read the file ({error.strerror}), expected a readable one"
+        ) from None
 
 
 def _copy(path: Path, compression: str, pieces: Iterator[bytes], target: BinaryIO) -> None:

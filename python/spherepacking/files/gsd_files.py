@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import struct
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -26,6 +27,9 @@ _ARRAYS = {
     "moment_inertia": "moment_inertia",
 }
 _BYTES_OF_A_POSITION = 12
+# Magic number, then where the tables of data and of names begin, and how many entries each has.
+_HEAD = struct.Struct("<5Q")
+_MAGIC = 0x65DF65DF65DF65DF
 
 
 class GsdFile:
@@ -60,6 +64,7 @@ class GsdFile:
             ) from None
         self._path = path
         self._request = request
+        _check_header(path)
         try:
             self._trajectory = gsd.hoomd.open(str(path), "r")
             file = self._trajectory.file
@@ -82,17 +87,21 @@ class GsdFile:
     def read(self, index: int) -> pv.PolyData:
         """Read the packing of a frame."""
         try:
-            self._check_count(0)
-            self._check_count(index)
-            frame = self._trajectory[index]
-            frame.validate()
+            return self._frame(index)
         except PackingFileError:
             raise
-        except (OSError, RuntimeError, ValueError, KeyError) as error:
+        # A damaged file holds values of any shape under any name.
+        except (OSError, RuntimeError, ValueError, KeyError, TypeError, IndexError) as error:
             raise PackingFileError(
                 f"{self._path}: found a frame {index} that cannot be read, expected a whole one: "
                 f"{error}"
             ) from None
+
+    def _frame(self, index: int) -> pv.PolyData:
+        self._check_count(0)
+        self._check_count(index)
+        frame = self._trajectory[index]
+        frame.validate()
         packing = pv.PolyData(np.asarray(frame.particles.position))
         if packing.n_points:
             self._add_arrays(packing, frame, index)
@@ -167,6 +176,28 @@ class GsdFile:
             return True
         first = self._trajectory[0].particles
         return file.chunk_exists(frame=0, name=chunk) and first.N == frame.particles.N
+
+
+def _check_header(path: Path) -> None:
+    """Raise a PackingFileError if the tables that a header names do not lie in the file.
+
+    Upstream: gsd 5.0.1 ends the process where they are too large ("GSD file layer", version 2,
+    documentation of gsd).
+    """
+    size = path.stat().st_size
+    with path.open("rb") as file:
+        head = file.read(_HEAD.size)
+    if len(head) < _HEAD.size:
+        return
+    magic, index, entries, names, name_entries = _HEAD.unpack(head)
+    if magic != _MAGIC:
+        return
+    for begin, count, entry in ((index, entries, 32), (names, name_entries, 64)):
+        if begin + count * entry > size:
+            raise PackingFileError(
+                f"{path}: found a table of {count:,} entries at byte {begin:,} of a file of "
+                f"{size:,} bytes, expected one in a GSD file"
+            )
 
 
 def _radius_of(shape: dict[str, Any]) -> float | None:

@@ -15,7 +15,7 @@ import pyvista as pv
 
 from .errors import PackingFileError
 from .flat_atoms import DEUTERIUM, element_number, flat_atoms
-from .pdb_lines import check_pdb_lines
+from .pdb_lines import check_not_cut, check_pdb_lines
 
 if TYPE_CHECKING:
     import os
@@ -29,6 +29,8 @@ if TYPE_CHECKING:
 EXTENSIONS = (".pdb", ".ent", ".cif", ".mmcif")
 """Extensions of the files, in lower case; ``.gz`` may follow."""
 
+# Columns of atoms in mmCIF.
+_OPTIONAL = ("id", "label_alt_id", "label_asym_id")
 # The last element with a van der Waals radius in gemmi, lawrencium.
 _LAST_KNOWN = 103
 
@@ -101,8 +103,10 @@ class MoleculeFile:
     def _read_cif(self, data: bytes) -> None:
         """Read the first block that holds atoms."""
         gemmi = _gemmi()
+        check_not_cut(self._path, data, (b"#",))
         with _Refused(self._path, "an mmCIF file"):
             for block in gemmi.cif.read_string(data):
+                self._complete(block)
                 structure = gemmi.make_structure_from_block(block)
                 if structure:
                     self._structure = structure
@@ -115,6 +119,31 @@ class MoleculeFile:
         raise PackingFileError(
             f"{self._path}: holds no atoms, expected the category _atom_site with coordinates"
         )
+
+    def _complete(self, block: gemmi.cif.Block) -> None:
+        """Add what a category of atoms may leave out but gemmi does not read it without.
+
+        Upstream: gemmi 0.7.5 finds no atom without one of these, though mmCIF asks for none but
+        ``id`` and ``type_symbol``.
+        """
+        loop = block.find_loop("_atom_site.Cartn_x").get_loop()
+        if loop is None:
+            return
+        there = set(loop.tags)
+        absent = [name for name in _OPTIONAL if f"_atom_site.{name}" not in there]
+        if "_atom_site.type_symbol" not in there:
+            raise PackingFileError(
+                f"{self._path}: found no _atom_site.type_symbol, expected the element of each atom"
+            )
+        for name in ("atom_id", "comp_id", "seq_id"):
+            if not there & {f"_atom_site.label_{name}", f"_atom_site.auth_{name}"}:
+                absent.append(f"label_{name}")
+        if absent:
+            loop.add_columns([f"_atom_site.{name}" for name in absent], ".")
+        if "id" in absent:
+            serials = block.find_loop("_atom_site.id")
+            for i in range(len(serials)):
+                serials[i] = str(i + 1)
 
     def _check_cell(self, block: gemmi.cif.Block) -> None:
         """Raise an error unless the block has the cell that coordinates are fractions of."""
@@ -278,7 +307,7 @@ class _Refused:
         pass
 
     def __exit__(self, kind: object, error: BaseException | None, trace: object) -> None:
-        if not isinstance(error, (RuntimeError, ValueError)):
+        if not isinstance(error, (RuntimeError, ValueError)) or isinstance(error, PackingFileError):
             return
         text = " ".join(str(error).split())
         line = re.search(r"(?:in line |^[^:]*:)(\d+)(?::\d+\(\d+\))?: *", text)

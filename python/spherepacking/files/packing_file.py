@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from contextlib import nullcontext
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -99,8 +98,8 @@ class _PlainFile:
         self._reader.precision = request.precision
         self._reader.reader.SetColumns(request.columns or "")
         self._reader.reader.SetRadiusOptional(request.radius is not None)
-        # The file's own, while those of VTK are indices where these do not increase.
-        self._has_steps = bool(self._reader.time_values)
+        # The file's own, NaN where a step has none.
+        self._has_steps = self._reader.number_time_points > 0
         self.times: list[float] = pv.convert_array(self._reader.reader.GetStepTimes()).tolist()
 
     def read(self, index: int) -> pv.PolyData:
@@ -110,13 +109,13 @@ class _PlainFile:
             reader.set_active_time_point(index)
         # What was read before belongs to whoever asked for it.
         reader.reader.Modified()
-        bar = progress_bar(reader.reader, f"Reading {self._shown.name}", _BAR_DELAY)
+        delay = _BAR_DELAY if self._request.progress else None
         try:
-            with bar if self._request.progress else nullcontext():
+            with progress_bar(reader.reader, f"Reading {self._shown.name}", delay):
                 packing = reader.read()
         except PackingFileError as error:
             sentence = what_else(self._path)
-            hinted = "radius= " in str(error)
+            hinted = "radius=" in str(error)
             if sentence is None and not hinted and self._lacks_radii_alone():
                 sentence = f"{error}; radius= gives radii (--radius)"
             if sentence is None:

@@ -1,4 +1,4 @@
-"""What gemmi reads in PDB files without a word: numbers that are none, and damaged records."""
+"""What gemmi reads without a word: numbers that are none, damaged records, files that were cut."""
 
 from __future__ import annotations
 
@@ -36,9 +36,11 @@ def check_pdb_lines(path: Path, data: bytes) -> None:
     Raises
     ------
     PackingFileError
-        If a coordinate is no finite number, a record that is not of an atom holds coordinates, or
-        the atoms are the spheres of HOLE, whose radii are not those of elements.
+        If a coordinate is no finite number, a record that is not of an atom holds coordinates, the
+        file ends within a line, or the atoms are the spheres of HOLE, whose radii are not those of
+        elements.
     """
+    check_not_cut(path, data, (b"END", b"TER", b"MASTER", b"CONECT"))
     if damaged := _DAMAGED.search(data):
         raise PackingFileError(
             f"{path}, line {_line(data, damaged.start())}: found {_quoted(damaged[0])}, expected "
@@ -63,6 +65,33 @@ def check_pdb_lines(path: Path, data: bytes) -> None:
                 f"{path}, line {_line(data, start)}: found {_quoted(record)}, expected x y z in "
                 "columns 31 to 54, 8 characters each"
             )
+
+
+def check_not_cut(path: Path, data: bytes, kept: tuple[bytes, ...]) -> None:
+    """Check that a file does not end within a line, unless nothing can be missing there.
+
+    Parameters
+    ----------
+    path : pathlib.Path
+        File, for the message.
+    data : bytes
+        Its content.
+    kept : tuple of bytes
+        What a last line may begin with, or be the beginning of, that has no line end.
+
+    Raises
+    ------
+    PackingFileError
+        If it ends within another line.
+    """
+    begin = max(data.rfind(b"\n"), data.rfind(b"\r")) + 1
+    last = data[begin:]
+    if last.strip() and not any(last.startswith(word) or word.startswith(last) for word in kept):
+        raise PackingFileError(
+            f"{path}, line {_line(data, begin)}: found the end of the file within "
+            f"{_quoted(last)}, expected a line end after every line (add one if the file is "
+            "complete)"
+        )
 
 
 def _has_coordinates(record: bytes) -> bool:

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from contextlib import nullcontext
 from typing import TYPE_CHECKING
 
 import pyvista as pv
 
+from ..checks import index_in
 from ..printable import printable
 from ..vtk_tools import ErrorLog, errors_raised, progress_bar
 from .errors import PackingFileError
@@ -54,7 +56,7 @@ class SpherePackingReader(pv.BaseReader, pv.TimeReader):  # type: ignore[type-ar
         return vtkSpherePackingReader()
 
     def _set_defaults(self) -> None:
-        self._time: float | None = None
+        self._index = 0
 
     def _set_directory(self, directory: str) -> None:
         shown = printable(directory)
@@ -84,11 +86,20 @@ class SpherePackingReader(pv.BaseReader, pv.TimeReader):  # type: ignore[type-ar
     def time_values(self) -> list[float]:
         """Return the times of the steps; empty for files without steps.
 
-        VTK asks for times that increase. Where those of the file do not, as after a restart, or
-        where a step has none, these are 0, 1, 2 and so on; `spherepacking.steps` has the file's.
+        They are those of the file, as in `spherepacking.steps` and in ``TimeValue`` of what is
+        read, even where they repeat or run backwards after a restart, and NaN for a step without
+        one; 0, 1, 2 and so on where no step has one.
         """
-        # What is wrong with the file is raised when it is read.
-        with ErrorLog(self.reader):
+        values = self._values()
+        own: list[float] = pv.convert_array(self.reader.GetStepTimes()).tolist()
+        return values if all(map(math.isnan, own)) else own
+
+    def _values(self) -> list[float]:
+        """What VTK calls the steps by: their times where these increase, or else 0, 1, 2."""
+        # What is wrong with the file is raised when it is read. VTK forgets a request to stop when
+        # it reads, and not when it looks for steps.
+        self.reader.SetAbortExecute(0)
+        with ErrorLog(self.reader), progress_bar(self.reader, "", None):
             self.reader.UpdateInformation()
         key = self.reader.GetExecutive().TIME_STEPS()
         return list(self.reader.GetOutputInformation(0).Get(key) or ())
@@ -100,23 +111,34 @@ class SpherePackingReader(pv.BaseReader, pv.TimeReader):  # type: ignore[type-ar
 
     def time_point_value(self, time_point: int) -> float:
         """Return the time step at an index, or raise an IndexError."""
-        return self.time_values[time_point]
+        values = self.time_values
+        return values[index_in(range(len(values)), "time_point", time_point)]
 
     @property
     def active_time_value(self) -> float | None:  # type: ignore[override]  # other files have none
         """Return the time step that is read; the first by default, None without any."""
-        return next(iter(self.time_values), None) if self._time is None else self._time
+        values = self.time_values
+        return values[self._index] if self._index < len(values) else None
 
     def set_active_time_value(self, time_value: float) -> None:
-        """Choose the time step to read, one of `time_values`, or raise a ValueError."""
+        """Choose the time step to read, one of `time_values`, or raise a ValueError.
+
+        A time that several steps have chooses none: use :meth:`set_active_time_point`.
+        """
         values = self.time_values
-        if time_value not in values:
+        found = [i for i, value in enumerate(values) if value == time_value]
+        if not found:
             raise ValueError(f"time_value: found {time_value}, expected one of {values}")
-        self._time = time_value
+        if len(found) > 1:
+            raise ValueError(
+                f"time_value: found {time_value}, which is that of the time points "
+                f"{', '.join(map(str, found[:10]))}, expected set_active_time_point() with one"
+            )
+        self._index = found[0]
 
     def set_active_time_point(self, time_point: int) -> None:
         """Choose the time step to read by its index, or raise an IndexError."""
-        self._time = self.time_point_value(time_point)
+        self._index = index_in(range(self.number_time_points), "time_point", time_point)
 
     def read(self, *, validate: bool | None = None) -> pv.PolyData:
         """Read the file.
@@ -134,14 +156,15 @@ class SpherePackingReader(pv.BaseReader, pv.TimeReader):  # type: ignore[type-ar
         # Upstream: pyvista.read() of 0.49 observes the reader, too, and logs what is raised here.
         self.reader.RemoveObservers("ErrorEvent")
         bar = progress_bar(self.reader, self._progress_msg or "")
+        values = self._values()
         with (
             errors_raised(self.reader, PackingFileError),
             bar if self._progress_bar else nullcontext(),
         ):
-            if self._time is None:
-                self.reader.Update()
+            if values:
+                self.reader.UpdateTimeStep(values[self._index])
             else:
-                self.reader.UpdateTimeStep(self._time)
+                self.reader.Update()
         return pv.wrap(self.reader.GetOutput(), validate=validate)
 
 

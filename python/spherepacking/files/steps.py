@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
+from numbers import Real
 from typing import TYPE_CHECKING, Literal, overload
 
 import numpy as np
 import pyvista as pv
 
-from ..checks import integer_of
+from ..checks import index_in, integer_of
 from ..datasets import centres_of
 from .errors import PackingFileError
 from .packing_file import CompressedFile, has_one_step, open_file
@@ -33,7 +34,7 @@ def read(
     step: int | None = None,
     time: float | None = None,
     radius: RadiusLike | None = None,
-    columns: str | None = None,
+    columns: str | Sequence[str] | None = None,
     precision: Literal["single", "double"] = "double",
     progress: bool = False,
 ) -> pv.PolyData:
@@ -54,8 +55,9 @@ def read(
         Radii, for files without or instead of theirs: the name of a column or array, one number
         for all spheres, one per sphere, or one per type, by numbers of the array ``type`` or by
         texts of ``type_name``, ``element`` or another, such as ``{"C": 1.7, "H": 1.1}``.
-    columns : str, optional
-        Names of the columns of a table in text, separated by blanks, such as ``"id x y z r"``.
+    columns : str or sequence of str, optional
+        Names of the columns of a table in text, separated by blanks, such as ``"id x y z r"``, or
+        one by one.
     precision : {"double", "single"}, default: "double"
         Precision of the centres.
     progress : bool, default: False
@@ -103,7 +105,7 @@ def steps(
     path: PathLike,
     *,
     radius: RadiusLike | None = None,
-    columns: str | None = None,
+    columns: str | Sequence[str] | None = None,
     precision: Literal["single", "double"] = "double",
     progress: bool = False,
 ) -> PackingSteps:
@@ -136,7 +138,7 @@ def steps(
     """
     if precision not in ("single", "double"):
         raise ValueError(f"precision: found {precision!r}, expected 'single' or 'double'")
-    request = Request(radius, columns, precision, progress)
+    request = Request(radius, _columns_of(columns), precision, progress)
     entries = entries_of(path)
     if len(entries) == 1 and entries[0].time is None and len(entries[0].files) == 1:
         source: PackingSource = open_file(entries[0].files[0], request)
@@ -146,6 +148,22 @@ def steps(
         count = series.count
     name = str(path) if isinstance(path, (str, os.PathLike)) else str(entries[0].files[0])
     return PackingSteps(source, name, range(count))
+
+
+def _columns_of(columns: str | Sequence[str] | None) -> str | None:
+    """Names of columns, separated by blanks."""
+    if columns is None or isinstance(columns, str):
+        return columns
+    names = list(columns) if isinstance(columns, Iterable) else None
+    if names is None or not all(isinstance(name, str) for name in names):
+        raise TypeError(
+            f"columns: found {columns!r}, expected names separated by blanks or a list of names"
+        )
+    wrong = [name for name in names if len(name.split()) != 1]
+    if wrong or not names:
+        found = repr(wrong[0]) if wrong else "no name"
+        raise ValueError(f"columns: found {found}, expected names without blanks")
+    return " ".join(names)
 
 
 class PackingSteps(Sequence[pv.PolyData]):
@@ -190,7 +208,7 @@ class PackingSteps(Sequence[pv.PolyData]):
     def __getitem__(self, index: int | slice) -> pv.PolyData | PackingSteps:
         if isinstance(index, slice):
             return PackingSteps(self._source, self._name, self._indices[index])
-        return self._source.read(self._indices[index])
+        return self._source.read(index_in(self._indices, "steps", index))
 
     def __repr__(self) -> str:
         return f"<{len(self)} steps of {self._name}>"
@@ -236,6 +254,8 @@ class PackingSteps(Sequence[pv.PolyData]):
         return range(count)[step]
 
     def _at_time(self, time: float) -> int:
+        if not isinstance(time, Real) or isinstance(time, bool) or math.isnan(time):
+            raise TypeError(f"time: found {time!r}, expected a number")
         times = self.times
         known = [t for t in times if not math.isnan(t)]
         # Times in texts are rounded.

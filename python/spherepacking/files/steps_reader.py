@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import pyvista as pv
 from pyvista.core.utilities.reader import BaseVTKReader
 
+from ..checks import index_in
 from .steps import read, steps
 
 if TYPE_CHECKING:
@@ -59,9 +60,9 @@ class PackingStepsReader(pv.BaseReader, pv.TimeReader):  # type: ignore[type-arg
 
     @property
     def time_values(self) -> list[float]:
-        """Return the times of the steps."""
+        """Return the times of the steps; 0, 1, 2 and so on where the file has none."""
         times: list[float] = self.reader.steps.times
-        return times
+        return times or [float(i) for i in range(self.number_time_points)]
 
     @property
     def number_time_points(self) -> int:
@@ -70,7 +71,8 @@ class PackingStepsReader(pv.BaseReader, pv.TimeReader):  # type: ignore[type-arg
 
     def time_point_value(self, time_point: int) -> float:
         """Return the time of a step, or raise an IndexError."""
-        return self.time_values[time_point]
+        values = self.time_values
+        return values[index_in(range(len(values)), "time_point", time_point)]
 
     @property
     def active_time_value(self) -> float:
@@ -78,12 +80,20 @@ class PackingStepsReader(pv.BaseReader, pv.TimeReader):  # type: ignore[type-arg
         return self.time_values[self.reader.index]
 
     def set_active_time_value(self, time_value: float) -> None:
-        """Choose the step to read by its time, or raise a ValueError."""
-        self.reader.index = self.reader.steps.index_of(time=time_value)
+        """Choose the step to read by its time, or raise a ValueError.
+
+        A time that several steps have chooses none: use :meth:`set_active_time_point`.
+        """
+        if self.reader.steps.times:
+            self.reader.index = self.reader.steps.index_of(time=time_value)
+        elif time_value in self.time_values:
+            self.reader.index = self.time_values.index(time_value)
+        else:
+            raise ValueError(f"time_value: found {time_value}, expected one of {self.time_values}")
 
     def set_active_time_point(self, time_point: int) -> None:
         """Choose the step to read by its index, or raise an IndexError."""
-        self.reader.index = range(self.number_time_points)[time_point]
+        self.reader.index = index_in(range(self.number_time_points), "time_point", time_point)
 
 
 # Upstream: PyVista before 0.49 takes functions only, no classes, from entry points:

@@ -13,83 +13,171 @@ import re
 from typing import TYPE_CHECKING
 
 from .errors import PackingFileError
-from .vtk_blocks import sizes_in_heads
+from .vtk_arrays import LARGEST_RATIO, ArrayData
+from .vtk_xml import Element, elements_of
 
 if TYPE_CHECKING:
     from pathlib import Path
 
-# How many bytes one byte of zlib may stand for.
-_LARGEST_RATIO = 1032
 # A point or value takes so many bytes in memory, at least.
 _LEAST_SIZE = 8
-# Writers ask for blocks of 32 to 64 KiB, and of some MiB at most.
-_LARGEST_BLOCK = 256 << 20
-_XML = re.compile(
-    rb"NumberOf(?:Points|Cells|Verts|Lines|Strips|Polys|Tuples)\s*=\s*[\"']\s*([-+]?\d+)"
+_CELLS = ("Verts", "Lines", "Strips", "Polys")
+_COUNTS = tuple(
+    f"NumberOf{what}" for what in ("Points", "Cells", *_CELLS, "Tuples", "Rows", "Components")
 )
-_PIECE = re.compile(rb"NumberOf(Points|Cells|Verts|Lines|Strips|Polys)\s*=\s*[\"']\s*\+?(\d+)")
-# What arrays belong to, and arrays.
-_TAG = re.compile(rb"<(Piece|PointData|CellData|Points|FieldData|Coordinates|P?DataArray)\b([^>]*)")
-_COMPONENTS = re.compile(rb"NumberOfComponents\s*=\s*[\"']\s*([-+]?\d+)")
-_EXTENT = re.compile(rb"Extent\s*=\s*[\"']\s*([-+]?\d+(?:\s+[-+]?\d+){5})")
+_EXTENTS = ("WholeExtent", "Extent")
+_ARRAYS = ("DataArray", "Array")
+_EXTENT = re.compile(r"\s*[-+]?[0-9]{1,18}(?:\s+[-+]?[0-9]{1,18}){5}\s*")
+# Attributes that name further files.
+_FILES = ("Source", "file", "fileName")
 
 
-def check_counts(path: Path) -> None:
+def check_counts(path: Path) -> list[Path]:
     """Raise a PackingFileError if a file in XML cannot hold what it counts.
 
     Parameters
     ----------
     path : pathlib.Path
-        File to look at; files of other formats are left to their readers.
+        File to look at.
+
+    Returns
+    -------
+    list[pathlib.Path]
+        Files that it names and that exist.
     """
     size = path.stat().st_size
     if not size:
-        return
+        return []
     with path.open("rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as data:
-        head = data[:4096]
-        if b"<VTKFile" not in head:
-            return
-        appended = data.find(b"<AppendedData")
-        end = len(data) if appended < 0 else appended
-        counts = _in_xml(data, end)
-        compressed = b"compressor" in head
-        ratio = _LARGEST_RATIO if compressed else 1
-        heads = list(sizes_in_heads(data, end)) if compressed else []
+        try:
+            elements = elements_of(data)
+            _check_elements(data, elements)
+        except ValueError as error:
+            raise PackingFileError(f"{path}: {error}") from None
+    named = [
+        path.parent / element.attributes[name]
+        for element in elements
+        for name in _FILES
+        if name in element.attributes
+    ]
+    return [file for file in dict.fromkeys(named) if file.is_file()]
+
+
+def _check_elements(data: mmap.mmap, elements: list[Element]) -> None:
+    arrays = ArrayData(data, elements)
+    ratio = LARGEST_RATIO if arrays.is_compressed else 1
     memory = os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE")
-    most = min(size * ratio, memory // _LEAST_SIZE)
-    wrong = [count for count in counts if not 0 <= count <= most]
-    wrong += [taken for taken, _ in heads if taken > size]
-    # Of a short array the whole of a block is claimed.
-    wrong += [whole for _, whole in heads if whole > max(size * ratio, _LARGEST_BLOCK)]
+    most = min(len(data) * ratio, memory // _LEAST_SIZE)
+    counts = [
+        element.integer(name) or 0
+        for element in elements
+        for name in _COUNTS
+        if name in element.attributes and not element.name.startswith("PData")
+    ]
+    counts += [
+        _points_in(element, name)
+        for element in elements
+        for name in _EXTENTS
+        if name in element.attributes
+    ]
+    # Blocks up to that of an index are allocated.
+    blocks = [
+        element.integer("index") or 0 for element in elements if "index" in element.attributes
+    ]
+    wrong = [count for count in blocks if not 0 <= count <= len(data)]
+    wrong += [count for count in [*counts, sum(counts)] if not 0 <= count <= most]
     if wrong:
-        raise PackingFileError(
-            f"{path}: found the count {wrong[0]:,} in a file of {size:,} bytes, expected no more "
-            "than these hold"
+        raise ValueError(
+            f"found the count {wrong[0]:,} in a file of {len(data):,} bytes, expected no more than "
+            "these hold"
         )
+    for element in elements:
+        if element.name not in _ARRAYS:
+            continue
+        values = _values_of(element)
+        if values is None and _name(element) == "connectivity":
+            values = _connected(element, arrays)
+        if values is not None and not 0 <= values <= most:
+            raise ValueError(
+                f"found an array of {values:,} values in a file of {len(data):,} bytes, expected "
+                "no more than these hold"
+            )
+        try:
+            arrays.check(element, values)
+        except ValueError as error:
+            name = element.attributes.get("Name", "without a name")
+            raise ValueError(f"array {name!r}: {error}") from None
 
 
-def _in_xml(data: mmap.mmap, end: int) -> list[int]:
-    """Counts of a file in XML; what is appended, from `end` on, has none."""
-    counts = [int(match[1]) for match in _XML.finditer(data, 0, end)]
-    for match in _EXTENT.finditer(data, 0, end):
-        low, high = (list(map(int, match[1].split()[i::2])) for i in (0, 1))
-        counts.append(math.prod(max(0, b - a + 1) for a, b in zip(low, high, strict=True)))
-    counts += _values_of_arrays(data, end)
-    return [sum(counts) if min(counts, default=0) >= 0 else min(counts), *counts]
+def _extent(element: Element, name: str) -> list[int]:
+    """Numbers of points along the axes of an extent."""
+    text = element.attributes[name]
+    if _EXTENT.fullmatch(text) is None:
+        raise ValueError(f"found {name}={text[:60]!r}, expected six integers")
+    bounds = list(map(int, text.split()))
+    return [max(0, b - a + 1) for a, b in zip(bounds[::2], bounds[1::2], strict=True)]
 
 
-def _values_of_arrays(data: mmap.mmap, end: int) -> list[int]:
-    """Numbers of values of arrays: their components, times the points or cells they are of."""
-    found = []
-    points = cells = tuples = 1
-    for tag in _TAG.finditer(data, 0, end):
-        name, attributes = tag[1], tag[2]
-        if name == b"Piece":
-            counts = {kind: int(number) for kind, number in _PIECE.findall(attributes)}
-            points = max(1, counts.pop(b"Points", 1))
-            cells = max(1, sum(counts.values()))
-        elif not name.endswith(b"DataArray"):
-            tuples = {b"PointData": points, b"Points": points, b"CellData": cells}.get(name, 1)
-        elif components := _COMPONENTS.search(attributes):
-            found.append(int(components[1]) * tuples)
-    return found
+def _points_in(element: Element, name: str) -> int:
+    return math.prod(_extent(element, name))
+
+
+def _values_of(array: Element) -> int | None:
+    """Number of values of an array; None if nothing says it."""
+    tuples = _tuples_of(array)
+    components = array.integer("NumberOfComponents", 1) or 0
+    if components < 1:
+        raise ValueError(f"found {components} components of an array, expected one or more")
+    return None if tuples is None else tuples * components
+
+
+def _connected(array: Element, arrays: ArrayData) -> int | None:
+    """Number of points in all cells, which the last of their offsets is."""
+    group = array.parent
+    offsets = [] if group is None else [a for a in group.children if _name(a) == "offsets"]
+    if len(offsets) != 1:
+        return None
+    if _values_of(offsets[0]) == 0:
+        return 0
+    last = arrays.last_of(offsets[0])
+    return 0 if last is None else last
+
+
+def _name(array: Element) -> str:
+    return array.attributes.get("Name", "").lower()
+
+
+def _tuples_of(array: Element) -> int | None:
+    group = array.parent
+    if group is None:
+        return None
+    piece = group.parent
+    if group.name == "FieldData" or piece is None or piece.name != "Piece":
+        return array.integer("NumberOfTuples")
+    name = _name(array)
+    if group.name in ("PointData", "Points"):
+        return _points_of(piece)
+    if group.name == "CellData":
+        return _cells_of(piece)
+    if group.name == "Cells" and name in ("offsets", "types"):
+        return _cells_of(piece)
+    if group.name in _CELLS and name == "offsets":
+        return piece.integer(f"NumberOf{group.name}", 0)
+    if group.name == "Coordinates" and "Extent" in piece.attributes:
+        at = group.children.index(array)
+        return _extent(piece, "Extent")[at] if at < 3 else None
+    return None
+
+
+def _points_of(piece: Element) -> int | None:
+    if "Extent" in piece.attributes:
+        return _points_in(piece, "Extent")
+    return piece.integer("NumberOfPoints")
+
+
+def _cells_of(piece: Element) -> int | None:
+    if "Extent" in piece.attributes:
+        counts = _extent(piece, "Extent")
+        return math.prod(max(1, count - 1) for count in counts) if all(counts) else 0
+    counts = [piece.integer(f"NumberOf{kind}", 0) or 0 for kind in _CELLS]
+    return piece.integer("NumberOfCells", sum(counts))

@@ -17,6 +17,7 @@ from ..radii import radius_name_in
 from .errors import PackingFileError
 from .source import Request, finished
 from .vtk_counts import check_counts
+from .vtk_hdf import check_heaps
 from .vtk_legacy import check_legacy
 
 if TYPE_CHECKING:
@@ -32,6 +33,9 @@ EXTENSIONS = (
 SINGLE_STEP = (".vtk", ".vtp", ".vtu", ".vti", ".vtr", ".vts", ".pvtk", ".pvtp", ".pvtu")
 # They name further files.
 INDICES = (".vtm", ".vtmb", ".vtpd", ".pvtk", ".pvtp", ".pvtu", ".pvti", ".pvtr", ".pvts", ".pvd")
+
+# Indices that name indices, one below the other.
+_DEEPEST = 8
 
 # What programs call velocities, LIGGGHTS the first.
 _VELOCITIES = ("v", "vel", "velo", "Velocity", "velocities", "V")
@@ -60,8 +64,7 @@ class VtkFile:
     def __init__(self, path: Path, request: Request) -> None:
         self._path = path
         self._request = request
-        check_legacy(path)
-        check_counts(path)
+        _check(path, ())
         with errors_of_vtk(f"{path}: found no dataset that VTK can read"):
             self._reader: Any = pv.get_reader(path)
             algorithm = self._reader.reader
@@ -84,6 +87,7 @@ class VtkFile:
         radius = self._request.radius
         try:
             dataset = wrap(data)
+            _check_names(dataset)
             packing = centres_of(dataset, radius if isinstance(radius, str) else None)
             names = packing.point_data.keys()
             if radius is None and packing.n_points and radius_name_in(names) is None:
@@ -91,10 +95,57 @@ class VtkFile:
                 if isinstance(dataset, pv.PolyData) and dataset.GetNumberOfPolys():
                     message += "; its polygons may be a surface, which `spherepacking pack` fills"
                 raise ValueError(message)
+            _add_velocity(packing)
+        except UnicodeDecodeError as error:
+            raise PackingFileError(
+                f"{self._path}: found the bytes {error.object[:30]!r} in an array of texts, "
+                "expected UTF-8"
+            ) from None
         except (TypeError, ValueError) as error:
             raise PackingFileError(f"{self._path}: {error}") from None
-        _add_velocity(packing)
         return finished(packing, self._path, self._request)
+
+
+def _check_names(dataset: Any) -> None:
+    """Raise a ValueError unless the names of arrays and the texts of the dataset are texts."""
+    if not isinstance(dataset, pv.DataSet):
+        for block in dataset:
+            if block is not None:
+                _check_names(block)
+        return
+    for arrays in (dataset.GetPointData(), dataset.GetCellData(), dataset.GetFieldData()):
+        for i in range(arrays.GetNumberOfArrays()):
+            name = arrays.GetArrayName(i)
+            if not isinstance(name, str):
+                raise ValueError(f"found the name {name!r} of an array, expected UTF-8")
+    for name in dataset.field_data:
+        # Texts that are none raise a UnicodeDecodeError.
+        dataset.field_data[name]
+
+
+def _check(path: Path, above: tuple[Path, ...]) -> None:
+    """Check what a file and those that it names say of themselves, before VTK believes it.
+
+    Parameters
+    ----------
+    path : pathlib.Path
+        The file.
+    above : tuple[pathlib.Path, ...]
+        Files that name it, from the first one on.
+    """
+    extension = path.suffix.lower()
+    if extension == ".vtk":
+        check_legacy(path)
+    elif extension == ".vtkhdf":
+        check_heaps(path)
+    elif extension in EXTENSIONS:
+        below = (*above, path.resolve())
+        for file in check_counts(path):
+            if file.resolve() in below or len(below) > _DEEPEST:
+                raise PackingFileError(
+                    f"{path}: found {file} in it, which names it in turn, expected files of data"
+                )
+            _check(file, below)
 
 
 def _add_velocity(packing: pv.PolyData) -> None:

@@ -15,19 +15,20 @@ import numpy as np
 
 from ..printable import quoted
 from .errors import PackingFileError
+from .vtk_numbers import NoNumber, numbers
 
 if TYPE_CHECKING:
     from pathlib import Path
 
-# Bytes that a value takes in a binary file; vtkIdType is written as int.
-_SIZES = {
-    **dict.fromkeys((b"char", b"signed_char", b"unsigned_char"), 1),
-    **dict.fromkeys((b"short", b"unsigned_short"), 2),
-    **dict.fromkeys((b"int", b"unsigned_int", b"float", b"vtkidtype"), 4),
-    **dict.fromkeys((b"long", b"unsigned_long", b"double"), 8),
+# What values are in a binary file; vtkIdType is written as int.
+_KINDS = {
+    **dict.fromkeys((b"char", b"signed_char"), ">i1"),
+    **{b"unsigned_char": ">u1", b"short": ">i2", b"unsigned_short": ">u2"},
+    **{b"int": ">i4", b"vtkidtype": ">i4", b"unsigned_int": ">u4", b"float": ">f4"},
+    **{b"long": ">i8", b"unsigned_long": ">u8", b"double": ">f8", b"bit": ">u1"},
     **{
-        b"vtktype%sint%d" % (sign, bits): bits // 8
-        for sign in (b"", b"u")
+        b"vtktype%sint%d" % (sign, bits): f">{kind}{bits // 8}"
+        for sign, kind in ((b"", "i"), (b"u", "u"))
         for bits in (8, 16, 32, 64)
     },
 }
@@ -44,7 +45,7 @@ _ATTRIBUTES = {
     b"edge_flags": 1,
 }
 _WORD = re.compile(rb"\S+")
-_CHUNK = 1 << 20
+_NO_VALUES = np.empty(0, np.int64)
 
 
 def check_legacy(path: Path) -> None:
@@ -67,11 +68,12 @@ class _Walk:
 
     def __init__(self, path: Path, data: mmap.mmap) -> None:
         self._path, self._data = path, data
-        self._at, self._binary = 0, False
-        version = re.match(rb"# vtk DataFile Version[ \t]+(\d{1,3})\.\d+\s", data)
+        version = re.match(rb"# vtk DataFile Version\s+(\d)\.\d{1,2}(?!\d)", data)
         if version is None:
-            # Which of two ways the cells are written in depends on it.
-            self._refuse(quoted(data[:40].splitlines()[0]), "# vtk DataFile Version and its number")
+            raise PackingFileError(
+                f"{path}, line 1: found {quoted(data[:40])}, expected "
+                "'# vtk DataFile Version 3.0' or the like"
+            )
         self._offsets = int(version[1]) >= 5
         title = data.find(b"\n", data.find(b"\n") + 1)
         self._at = title + 1 if title > 0 else len(data)
@@ -124,14 +126,21 @@ class _Walk:
         return True
 
     def _cells(self) -> None:
-        offsets, size = self._count(), self._count()
+        """Pass cells, whose lengths VTK believes."""
+        cells, size = self._count(), self._count()
         if not self._offsets:
-            self._values(size, b"int")
+            values = self._values(size, b"int", keep=True)
+            if not _are_cells(values, cells):
+                self._refuse(f"lengths of cells that do not fill {size:,} values", "such as do")
             return
-        for count in (offsets, size):
-            if self._word().lower() not in (b"offsets", b"connectivity"):
+        offsets = np.empty(0, np.int64)
+        for count, name in ((cells, b"offsets"), (size, b"connectivity")):
+            if self._word().lower() != name:
                 self._refuse("no offsets and connectivity of cells", "them")
-            self._values(count, self._word())
+            values = self._values(count, self._word(), keep=name == b"offsets")
+            offsets = values if name == b"offsets" else offsets
+        if cells and (offsets[0] != 0 or (np.diff(offsets) < 0).any() or offsets[-1] != size):
+            self._refuse("offsets of cells that do not end with their connectivity", "such as do")
 
     def _scalars(self) -> None:
         self._word()
@@ -161,44 +170,44 @@ class _Walk:
         while self._at < len(self._data) and self._line().strip():
             pass
 
-    def _values(self, count: int, kind: bytes) -> None:
-        """Pass so many values of a type."""
+    def _values(self, count: int, kind: bytes, *, keep: bool = False) -> np.ndarray:
+        """Pass so many values of a type, and return them if they are to be kept."""
         kind = kind.lower()
-        if kind in _TEXTS:
+        if kind in _TEXTS and not keep:
             self._texts(count)
-        elif kind != b"bit" and kind not in _SIZES:
+            return _NO_VALUES
+        if kind not in _KINDS:
             self._refuse(f"the type {quoted(kind, 30)}", "one of VTK")
-        elif self._binary:
-            self._line()
-            size = (count + 7) // 8 if kind == b"bit" else count * _SIZES[kind]
-            if self._at + size > len(self._data):
-                self._refuse_early(count)
-            self._at += size
-        else:
-            self._numbers(count)
+        number = np.dtype(_KINDS[kind])
+        if not self._binary:
+            return self._numbers(count, number, keep=keep)
+        self._line()
+        size = (count + 7) // 8 if kind == b"bit" else count * number.itemsize
+        if self._at + size > len(self._data):
+            self._refuse_early(count)
+        begin, self._at = self._at, self._at + size
+        values = np.frombuffer(self._data[begin : self._at] if keep else b"", number)
+        return values.astype(np.int64) if number.kind in "iu" else values
 
-    def _numbers(self, count: int) -> None:
-        """Pass so many words, which are counted in chunks."""
-        left, before = count, True  # whether a space was before
-        while left > 0:
-            chunk = np.frombuffer(self._data[self._at : self._at + _CHUNK], np.uint8)
-            if not chunk.size:
-                self._refuse_early(count)
-            space = chunk <= 32
-            first = ~space & np.concatenate([[before], space[:-1]])
-            found = int(first.sum())
-            if found >= left:
-                # The word itself is passed with the next one that is looked for.
-                start = self._at + int(np.flatnonzero(first)[left - 1])
-                match = _WORD.match(self._data, start)
-                self._at = match.end() if match else start
-                if self._at == len(self._data):
-                    # The number may have been longer.
-                    self._refuse("its end right after a number", "a line end")
-                return
-            left -= found
-            before = bool(space[-1])
-            self._at += chunk.size
+    def _numbers(self, count: int, number: np.dtype, *, keep: bool) -> np.ndarray:
+        """Pass so many numbers."""
+        kept, left = [], count
+        try:
+            for end, values in numbers(self._data, self._at, len(self._data), number, count):
+                self._at = end
+                left -= len(values)
+                if keep:
+                    kept.append(values)
+        except NoNumber as error:
+            self._at = error.at
+            self._refuse(error.found, "a number")
+        if left:
+            self._at = len(self._data)
+            self._refuse_early(count)
+        if count and self._at == len(self._data):
+            # The number may have been longer.
+            self._refuse("its end right after a number", "a line end")
+        return np.concatenate(kept) if kept else _NO_VALUES
 
     def _texts(self, count: int) -> None:
         """Pass so many texts: lines, or in a binary file with their lengths before them."""
@@ -243,3 +252,18 @@ class _Walk:
         line = self._data[: self._at].count(b"\n") + 1
         place = f" at byte {self._at}" if self._binary else f", line {line}"
         raise PackingFileError(f"{self._path}{place}: found {found}, expected {expected}")
+
+
+def _are_cells(values: np.ndarray, count: int) -> bool:
+    """Whether values are so many cells, each with its length before it."""
+    if count and len(values) % count == 0:
+        length = len(values) // count
+        if length and (values[::length] == length - 1).all():
+            return True
+    at = 0
+    lengths = values.tolist()
+    for _ in range(count):
+        if at >= len(lengths) or lengths[at] < 0:
+            return False
+        at += 1 + lengths[at]
+    return at == len(lengths)

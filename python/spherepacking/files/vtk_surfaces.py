@@ -67,8 +67,10 @@ def hand_over() -> None:
 
 def _arrays(path: Path) -> dict[str, np.ndarray]:
     """Points, polygons and strips of a file."""
-    check_legacy(path)
-    check_counts(path)
+    if path.suffix.lower() == ".vtk":
+        check_legacy(path)
+    elif check_counts(path):
+        refuse(path, "names of other files", "a surface")
     with errors_of_vtk(f"{path}: found no surface that can be read"):
         mesh: Any = pv.get_reader(path).read()
     if not isinstance(mesh, (pv.PolyData, pv.UnstructuredGrid)):

@@ -61,7 +61,8 @@ def left_out(packing: pv.PolyData, path: str | os.PathLike[str]) -> str | None:
         what = "arrays of each sphere"
     else:
         return None
-    lost = [*names, *(["the cell"] if "cell_vectors" in packing.field_data else [])]
+    fields = {"the cell": "cell_vectors", "the time": "TimeValue"}
+    lost = [*names, *(what for what, name in fields.items() if name in packing.field_data)]
     sentence = f"{path.name} holds {what} alone: left out {', '.join(lost)}"
     return printable(sentence, _LONGEST) if lost else None
 

@@ -109,6 +109,14 @@ const double* PackingArrays::FindExtra(const std::string& name) const
 }
 
 //------------------------------------------------------------------------------
+void PackingArrays::RemoveExtra(const std::string& name)
+{
+  const auto found = std::find_if(this->Extras.begin(), this->Extras.end(),
+    [&name](vtkAbstractArray* array) { return array->GetName() == name; });
+  this->Extras.erase(found);
+}
+
+//------------------------------------------------------------------------------
 std::string* PackingArrays::AddText(const std::string& name)
 {
   const auto array = vtkSmartPointer<vtkStringArray>::New();

@@ -59,6 +59,9 @@ public:
   /// The values of the further array of numbers of that name; null without one.
   const double* FindExtra(const std::string& name) const;
 
+  /// Removes the further array of that name.
+  void RemoveExtra(const std::string& name);
+
   /// Adds a further array that is filled already.
   void AddArray(vtkSmartPointer<vtkDataArray> array) { this->Extras.push_back(std::move(array)); }
 

@@ -226,31 +226,34 @@ bool LooksLikeDamagedAtom(std::string_view line)
 {
   // The letters of all names of records but ATOM and HETATM; some are followed by a digit.
   constexpr const char* others[] = { "ANISOU", "AUTHOR", "CAVEAT", "CISPEP", "COMPND", "CONECT",
-    "CRYST", "DBREF", "END", "ENDMDL", "EXPDTA", "FORMUL", "HEADER", "HELIX", "HET", "HETNAM",
-    "HETSYN", "HYDBND", "JRNL", "KEYWDS", "LINK", "LINKR", "MASTER", "MDLTYP", "MODEL", "MODRES",
-    "MTRIX", "NUMMDL", "OBSLTE", "ORIGX", "REMARK", "REVDAT", "SCALE", "SEQADV", "SEQRES", "SHEET",
-    "SIGATM", "SIGUIJ", "SITE", "SLTBRG", "SOURCE", "SPLIT", "SPRSDE", "SSBOND", "TER", "TITLE",
-    "TURN", "TVECT", "USER" };
+    "CRYST", "DBREF", "EXPDTA", "FORMUL", "HEADER", "HELIX", "HETNAM", "HETSYN", "HYDBND", "JRNL",
+    "KEYWDS", "LINK", "LINKR", "MASTER", "MDLTYP", "MODRES", "MTRIX", "NUMMDL", "OBSLTE", "ORIGX",
+    "REMARK", "REVDAT", "SCALE", "SEQADV", "SEQRES", "SHEET", "SIGATM", "SIGUIJ", "SITE", "SLTBRG",
+    "SOURCE", "SPLIT", "SPRSDE", "SSBOND", "TITLE", "TURN", "TVECT", "USER" };
+  // HET, TER, END, ENDMDL and MODEL are not among them: they hold few numbers, while HETATM with a
+  // blank in it holds many, and so do those that have lost their line end before an atom.
   const char* const begin = line.data();
   const char* const end = begin + line.size();
-  if (SkipBlanks(begin, end) == end)
-  {
-    return false;
-  }
-  if (std::any_of(std::begin(others), std::end(others),
-        [&](const char* record) { return BeginsWithRecord(begin, end, record); }))
+  if (SkipBlanks(begin, end) == end ||
+    std::any_of(std::begin(others), std::end(others),
+      [&](const char* record) { return BeginsWithRecord(begin, end, record); }))
   {
     return false;
   }
   int decimals = 0;
+  int last = 0; // numbers at the end
+  int beforeElement = 0;
   for (std::string_view field = TakeField(line); !field.empty() && field.front() != '#';
     field = TakeField(line))
   {
     double value;
     const char* const fieldEnd = field.data() + field.size();
-    decimals +=
-      field.find('.') != field.npos && ParseNumber(field.data(), fieldEnd, value) == fieldEnd;
+    const bool isNumber = ParseNumber(field.data(), fieldEnd, value) == fieldEnd;
+    decimals += isNumber && field.find('.') != field.npos;
+    beforeElement = !isNumber && IsElement(field) ? last : 0;
+    last = isNumber ? last + 1 : 0;
   }
-  return decimals >= 3 || HoldsCoordinates({ begin, static_cast<std::size_t>(end - begin) });
+  return decimals >= 3 || std::max(last, beforeElement) >= 5 ||
+    HoldsCoordinates({ begin, static_cast<std::size_t>(end - begin) });
 }
 }

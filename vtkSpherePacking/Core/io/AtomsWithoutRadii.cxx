@@ -63,10 +63,12 @@ void RefuseAtomsWithoutRadii(const std::string& file, const TextRange& head)
     return;
   }
   const bool molecule = what == Pdb || what == Cif;
+  const bool byContent = found == formats.end() && what == Pdb;
   throw PackingFileError(vtkErrorCode::FileFormatError,
     file + ": found " + what + ", expected a file with radii" +
       (molecule ? "; in Python, spherepacking.read gives atoms of files named .pdb or .cif van "
                   "der Waals radii after pip install 'spherepacking[formats]'"
-                : ""));
+                : "") +
+      (byContent ? "; name the file .pqr if these numbers are charge and radius" : ""));
 }
 }

@@ -9,7 +9,7 @@
 #include "io/TableRows.h"
 
 #include <algorithm>
-#include <charconv>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -31,45 +31,102 @@ using Fields = std::vector<std::string_view>;
       ColumnsHint);
 }
 
-// Throws if the first column has only whole numbers without sign and point, beside y or z with a
-// point somewhere, or, where nobody says that x comes first, no two of them the same.
+bool HasPoint(std::string_view field)
+{
+  return field.find_first_of(".eE") != field.npos;
+}
+
+/// What rows say of the first column: all, or those up to one in which it is no id.
+class FirstColumn
+{
+public:
+  FirstColumn(const TextRange& text, const Separators& between)
+  {
+    ForRows(text,
+      [&](const TextRange& row)
+      {
+        this->First = this->First.Begin ? this->First : row;
+        this->MayBeIds = this->Add(row.Begin, between);
+        return this->MayBeIds;
+      });
+    std::sort(this->Values.begin(), this->Values.end());
+  }
+
+  bool IsDistinct() const
+  {
+    return std::adjacent_find(this->Values.begin(), this->Values.end()) == this->Values.end();
+  }
+
+  // Whether y, z and radius are the same in several rows. Ids would leave all spheres in one place.
+  bool IsRow() const { return this->Values.size() > 1 && this->Repeats; }
+
+  TextRange First{ nullptr, nullptr, 0 };
+  bool MayBeIds = true;            ///< whole numbers without sign, all of them with a point or none
+  bool Points = false;             ///< they have one
+  bool PointsBeside = false;       ///< numbers in the columns of y or z have
+  bool PointsEverywhere = true;    ///< all numbers of other columns have
+  std::array<bool, 3> Fractions{}; ///< in which of y, z and radius some number is not whole
+
+private:
+  // Looks at the row at `p`. False if it shows that the column holds no ids.
+  bool Add(const char* p, const Separators& between)
+  {
+    const bool isFirstRow = this->Values.empty();
+    p = between.SkipBlanks(p);
+    for (std::size_t i = 0; !between.EndsLine(*p) && (i < 4 || this->PointsEverywhere); ++i)
+    {
+      const char* const end = between.FieldEnd(p);
+      const std::string_view field = between.Unquote({ p, static_cast<std::size_t>(end - p) });
+      const char* const fieldEnd = field.data() + field.size();
+      double value = 0;
+      const bool isNumber = ParseNumber(field.data(), fieldEnd, value) == fieldEnd;
+      const bool points = HasPoint(field);
+      const bool isWhole = value == std::floor(value);
+      if (i == 0)
+      {
+        const bool digit = !field.empty() && field[0] >= '0' && field[0] <= '9';
+        if (!isNumber || !digit || !isWhole || (!isFirstRow && points != this->Points))
+        {
+          return false;
+        }
+        this->Points = points;
+        this->Values.push_back(value);
+      }
+      else if (i < 4)
+      {
+        this->PointsBeside |= i < 3 && points;
+        this->Fractions[i - 1] |= !isWhole;
+        this->Repeats &= isFirstRow || value == this->Place[i - 1];
+        this->Place[i - 1] = value;
+      }
+      this->PointsEverywhere &= i == 0 || points || !isNumber;
+      p = between.SkipBlanks(end);
+      p = between.IsDelimiter(*p) ? between.SkipBlanks(p + 1) : p;
+    }
+    return true;
+  }
+
+  std::vector<double> Values;
+  std::array<double, 3> Place{};
+  bool Repeats = true;
+};
+
+// Throws if the first column may hold ids or kinds. Where it has points, as all numbers by NumPy's
+// savetxt, and another number has none, whoever wrote the rows tells whole numbers from others, so
+// that it is x. Whole numbers in y and z, too, are those of a grid if the radius behind them is
+// none.
 void CheckFirstColumn(const TextRange& text, const TableLayout& layout)
 {
-  std::vector<unsigned long long> values;
-  bool onlyWhole = true;
-  bool pointBeside = false;
-  TextRange first{ nullptr, nullptr, 0 };
-  const Separators& between = layout.Between;
-  ForRows(text,
-    [&](const TextRange& row)
-    {
-      first = first.Begin ? first : row;
-      const char* end = between.FieldEnd(row.Begin);
-      unsigned long long value = 0;
-      const auto [at, error] = std::from_chars(row.Begin, end, value);
-      onlyWhole = error == std::errc() && at == end;
-      values.push_back(value);
-      for (int i = 0; i < 2 && !pointBeside; ++i)
-      {
-        const char* const begin =
-          between.SkipBlanks(end) + (between.IsDelimiter(*between.SkipBlanks(end)) ? 1 : 0);
-        const char* const field = between.SkipBlanks(begin);
-        end = between.FieldEnd(field);
-        pointBeside =
-          std::string_view(field, end - field).find_first_of(".eE") != std::string_view::npos;
-      }
-      return onlyWhole;
-    });
-  if (!onlyWhole)
+  const FirstColumn column(text, layout.Between);
+  const bool nobodySays = layout.Named == Naming::None;
+  const bool fractionsBeside = column.Fractions[0] || column.Fractions[1];
+  const bool grid = !fractionsBeside && column.Fractions[2] && !column.IsDistinct();
+  const bool certain = column.Points
+    ? !nobodySays || !column.PointsEverywhere || column.IsRow() || grid
+    : !column.PointsBeside && (!nobodySays || grid);
+  if (column.MayBeIds && !certain)
   {
-    return;
-  }
-  std::sort(values.begin(), values.end());
-  const bool distinct = layout.Named == Naming::None &&
-    std::adjacent_find(values.begin(), values.end()) == values.end();
-  if (distinct || pointBeside)
-  {
-    ThrowIds("whole numbers", layout, first);
+    ThrowIds("whole numbers", layout, column.First);
   }
 }
 

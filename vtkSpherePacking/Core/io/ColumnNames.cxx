@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/ColumnNames.h"
 
+#include "io/DiameterWords.h"
 #include "io/NameMeaning.h"
 #include "io/PackingFileError.h"
 #include "bridge/PrintableText.h"
@@ -29,9 +30,11 @@ std::string Twice(std::string_view earlier, std::string_view later)
 class RoleFinder
 {
 public:
-  explicit RoleFinder(const std::vector<std::string_view>& names)
+  RoleFinder(const std::vector<std::string_view>& names, NamesBy by)
     : Names(names)
+    , By(by)
   {
+    this->Meanings.reserve(names.size());
     for (const std::string_view name : names)
     {
       this->Meanings.push_back(MeaningOfName(name));
@@ -47,8 +50,12 @@ public:
     {
       return std::nullopt;
     }
-    const bool sized = this->FindSize(NameMeaning::Radius, ColumnRole::Radius) ||
-      this->FindSize(NameMeaning::Diameter, ColumnRole::Diameter);
+    bool sized = false;
+    for (const Clarity least : { Clarity::Short, Clarity::Other })
+    {
+      sized = sized || this->FindSize(NameMeaning::Radius, ColumnRole::Radius, least) ||
+        this->FindSize(NameMeaning::Diameter, ColumnRole::Diameter, least);
+    }
     if (!sized && this->Rejected.empty() && radii == Radii::Required)
     {
       return std::nullopt;
@@ -77,7 +84,8 @@ private:
       has[meaning.What] = true;
     }
     const bool color = has[NameMeaning::Green] && has[NameMeaning::Blue];
-    const bool distance = has[NameMeaning::PolarAngle] || has[NameMeaning::Azimuth];
+    const bool distance =
+      this->By == NamesBy::File && (has[NameMeaning::PolarAngle] || has[NameMeaning::Azimuth]);
     if (!color && !distance)
     {
       return;
@@ -92,7 +100,8 @@ private:
           (red ? ", which is red beside green and blue, a color"
                : ", which is a distance from the origin or an axis beside an angle such as theta "
                  "or phi") +
-          ", expected a column radius or diameter";
+          ", expected a column radius or diameter, or radius=\"" + std::string(this->Names[i]) +
+          "\" (--radius) if it is one";
         meaning.What = NameMeaning::Other;
       }
     }
@@ -102,34 +111,30 @@ private:
   // others.
   bool FindCoordinates()
   {
-    std::map<std::string, int> axes; // which of a family are there, as bits
-    for (const NameMeaning& meaning : this->Meanings)
+    std::map<std::string, int> axes = this->AxesOfFamilies();
+    const auto isComplete = [](const auto& family) { return family.second == 7; };
+    const auto noneComplete = [&] { return std::none_of(axes.begin(), axes.end(), isComplete); };
+    for (const auto take :
+      { &RoleFinder::JoinFamiliesOfUnits, &RoleFinder::TakeCoordinatesOfParticles })
     {
-      if (meaning.What == NameMeaning::Coordinate)
+      if (noneComplete())
       {
-        axes[meaning.Family] |= 1 << meaning.Axis;
+        (this->*take)();
+        axes = this->AxesOfFamilies();
       }
     }
-    std::vector<std::string> complete;
-    for (const auto& [family, bits] : axes)
-    {
-      if (bits == 7)
-      {
-        complete.push_back(family);
-      }
-    }
-    if (complete.empty())
+    if (noneComplete())
     {
       return false;
     }
-    const bool plain = std::find(complete.begin(), complete.end(), PlainFamily) != complete.end();
-    const std::string chosen = plain ? PlainFamily : complete.front();
+    const auto plain = axes.find(PlainFamily);
+    const bool isPlain = plain != axes.end() && isComplete(*plain);
     std::array<std::vector<std::size_t>, 3> columns;
     for (std::size_t i = 0; i < this->Meanings.size(); ++i)
     {
       const NameMeaning& meaning = this->Meanings[i];
       if (meaning.What == NameMeaning::Coordinate &&
-        (plain ? meaning.Family == chosen : axes[meaning.Family] == 7))
+        (isPlain ? meaning.Family == PlainFamily : axes[meaning.Family] == 7))
       {
         columns[meaning.Axis].push_back(i);
       }
@@ -137,28 +142,78 @@ private:
     for (int axis = 0; axis < 3; ++axis)
     {
       this->SetRole(columns[axis], static_cast<ColumnRole>(axis));
+      this->CheckUnit(columns[axis][0]);
     }
-    this->Unit = this->Meanings[columns[0][0]].Unit;
-    this->UnitOf = columns[0][0];
-    this->CheckUnit(columns[1][0]);
-    this->CheckUnit(columns[2][0]);
     return true;
   }
 
-  // The radius, or the diameter, by the word that is the clearest of those there.
-  bool FindSize(NameMeaning::Kind kind, ColumnRole role)
+  // Which axes there are of each family of names, as bits.
+  std::map<std::string, int> AxesOfFamilies() const
   {
-    int clearest = 0;
+    std::map<std::string, int> axes;
+    for (const NameMeaning& meaning : this->Meanings)
+    {
+      if (meaning.What == NameMeaning::Coordinate)
+      {
+        axes[meaning.Family] |= 1 << meaning.Axis;
+      }
+    }
+    return axes;
+  }
+
+  // px, py, pz where no other names are those of coordinates.
+  void TakeCoordinatesOfParticles()
+  {
+    for (std::size_t i = 0; i < this->Meanings.size(); ++i)
+    {
+      if (auto meaning = CoordinateOfParticle(this->Names[i]))
+      {
+        this->Meanings[i] = std::move(*meaning);
+      }
+    }
+  }
+
+  // x_m, y_mm, z_m, which CheckUnit then finds.
+  void JoinFamiliesOfUnits()
+  {
+    for (NameMeaning& meaning : this->Meanings)
+    {
+      if (meaning.What == NameMeaning::Coordinate && meaning.IsUnitGlued)
+      {
+        meaning.Family.erase(meaning.Family.rfind('_'));
+      }
+    }
+  }
+
+  /// How sure a name is that of a size.
+  enum class Clarity
+  {
+    None,
+    Other, ///< with a unit glued that coordinates do not have, or with what it is of
+    Short,
+    Full
+  };
+
+  // A unit that is part of a short name, as in r_m, is one only if the coordinates have units, too.
+  Clarity ClarityOf(const NameMeaning& meaning) const
+  {
+    const bool otherUnit = meaning.IsUnitGlued && meaning.Unit != this->Unit;
+    const bool isUnit = !otherUnit || meaning.IsFullWord || !this->Unit.empty();
+    return !isUnit                     ? Clarity::None
+      : otherUnit || meaning.IsOfParts ? Clarity::Other
+      : meaning.IsFullWord             ? Clarity::Full
+                                       : Clarity::Short;
+  }
+
+  // The radius, or the diameter, by the word that is the clearest of those there.
+  bool FindSize(NameMeaning::Kind kind, ColumnRole role, Clarity least)
+  {
+    Clarity clearest = least;
     std::vector<std::size_t> found;
     for (std::size_t i = 0; i < this->Meanings.size(); ++i)
     {
       const NameMeaning& meaning = this->Meanings[i];
-      // A unit that is part of the name, as in r_mm, is one only if the coordinates have it, too.
-      if (meaning.What != kind || (meaning.IsUnitGlued && meaning.Unit != this->Unit))
-      {
-        continue;
-      }
-      const int clear = meaning.IsFullWord ? 2 : 1;
+      const Clarity clear = meaning.What == kind ? this->ClarityOf(meaning) : Clarity::None;
       if (clear > clearest)
       {
         found.clear();
@@ -175,6 +230,11 @@ private:
     }
     this->SetRole(found, role);
     this->CheckUnit(found[0]);
+    if (role == ColumnRole::Radius && SpeaksOfDiameter(this->Meanings[found[0]].Unknown))
+    {
+      this->Complain("found a radius and a diameter in " + QuoteName(this->Names[found[0]]) +
+        ", expected one name for each column");
+    }
     return true;
   }
 
@@ -187,11 +247,24 @@ private:
     }
   }
 
-  // Lengths in two units would be spheres of a wrong size.
+  // Lengths in two units would be spheres of a wrong size. What is in brackets may be a unit that
+  // is not known.
   void CheckUnit(std::size_t column)
   {
-    const std::string& unit = this->Meanings[column].Unit;
-    if (!unit.empty() && !this->Unit.empty() && unit != this->Unit)
+    const NameMeaning& meaning = this->Meanings[column];
+    if (meaning.Unit.empty() && meaning.Unknown.empty())
+    {
+      return;
+    }
+    if (!this->HasUnit)
+    {
+      this->Unit = meaning.Unit;
+      this->Unknown = meaning.Unknown;
+      this->UnitOf = column;
+      this->HasUnit = true;
+    }
+    const bool known = !meaning.Unit.empty() || !this->Unit.empty();
+    if (known && (meaning.Unit != this->Unit || meaning.Unknown != this->Unknown))
     {
       this->Complain("found the units of " + QuoteName(this->Names[this->UnitOf]) + " and " +
         QuoteName(this->Names[column]) + ", expected one unit for coordinates and radii");
@@ -217,9 +290,12 @@ private:
   }
 
   const std::vector<std::string_view>& Names;
+  NamesBy By;
   std::vector<NameMeaning> Meanings;
   std::vector<Column> Columns;
-  std::string Unit; // of x
+  bool HasUnit = false; // whether some coordinate has
+  std::string Unit;     // the first of them, or what may be one
+  std::string Unknown;
   std::size_t UnitOf = 0;
   std::string Rejected; // why r is no radius, if so
   std::string Complaint;
@@ -228,8 +304,12 @@ private:
 
 //------------------------------------------------------------------------------
 std::optional<std::vector<Column>> ColumnsFromNames(
-  const std::vector<std::string_view>& names, std::string& complaint, Radii radii)
+  const std::vector<std::string_view>& names, std::string& complaint, Radii radii, NamesBy by)
 {
-  return RoleFinder(names).Find(complaint, radii);
+  if (names.size() > MostNames)
+  {
+    return std::nullopt;
+  }
+  return RoleFinder(names, by).Find(complaint, radii);
 }
 }

@@ -7,6 +7,7 @@
 #include "io/TimeSteps.h"
 #include "io/XyzComment.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 
@@ -27,10 +28,22 @@ struct StepHead
   StepNumbers Times;
 };
 
+// Skips the rows of a step, and reports how far in the file that is.
+void SkipRows(FileLines& lines, vtkIdType count, unsigned long long size, Progress& progress)
+{
+  constexpr vtkIdType atATime = 1 << 16;
+  for (vtkIdType left = count; left > 0 && !lines.AtEnd(); left -= atATime)
+  {
+    lines.Skip(std::min(left, atATime));
+    progress.Report(static_cast<double>(lines.Position()) / static_cast<double>(size));
+  }
+}
+
 // Finds the steps of a file in which each begins with its number of rows. `readHead` reads the
 // lines before the rows.
 template <typename ReadHead>
-std::vector<TimeStep> FindCountedSteps(const std::string& file, const ReadHead& readHead)
+std::vector<TimeStep> FindCountedSteps(
+  const std::string& file, Progress& progress, const ReadHead& readHead)
 {
   FileLines lines(file);
   const unsigned long long size = FileBytes::Size(file);
@@ -46,7 +59,7 @@ std::vector<TimeStep> FindCountedSteps(const std::string& file, const ReadHead& 
     {
       break;
     }
-    lines.Skip(head.Count);
+    SkipRows(lines, head.Count, size, progress);
     if (!lines.AtEnd())
     {
       step.End = lines.Position();
@@ -122,14 +135,14 @@ StepHead ReadMercuryHead(FileLines& lines, const std::optional<vtkIdType>& previ
 }
 
 //------------------------------------------------------------------------------
-std::vector<TimeStep> FindXyzSteps(const std::string& file)
+std::vector<TimeStep> FindXyzSteps(const std::string& file, Progress& progress)
 {
-  return WithFileName(file, [&] { return FindCountedSteps(file, ReadXyzHead); });
+  return WithFileName(file, [&] { return FindCountedSteps(file, progress, ReadXyzHead); });
 }
 
 //------------------------------------------------------------------------------
-std::vector<TimeStep> FindMercurySteps(const std::string& file)
+std::vector<TimeStep> FindMercurySteps(const std::string& file, Progress& progress)
 {
-  return WithFileName(file, [&] { return FindCountedSteps(file, ReadMercuryHead); });
+  return WithFileName(file, [&] { return FindCountedSteps(file, progress, ReadMercuryHead); });
 }
 }

@@ -2,11 +2,14 @@
 #include "io/FitComments.h"
 
 #include "io/NameMeaning.h"
+#include "io/UnitsOfRemark.h"
 
 #include <algorithm>
 #include <charconv>
 #include <cstddef>
 #include <optional>
+#include <set>
+#include <string>
 
 namespace spherepacking
 {
@@ -194,6 +197,20 @@ NamesFit FitPlainLines(const std::vector<OneName>& lines, std::size_t count, Rad
   fit.What = NamesSomeOfSphere(names, count) ? NamesFit::Unclear : NamesFit::NoNames;
   return fit;
 }
+
+// Whether the comments that name the sphere, one each, speak of several units of length.
+bool HaveTwoUnits(const TableHead& head, const std::vector<OneName>& lines)
+{
+  std::set<std::string> units;
+  for (std::size_t i = 0; i < lines.size(); ++i)
+  {
+    if (lines[i].NamesSphere)
+    {
+      units.merge(UnitsOfRemark(View(head.Comments[i])));
+    }
+  }
+  return units.size() > 1;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -220,6 +237,11 @@ CommentFit FitComments(const TableHead& head, std::size_t count, Radii radii)
   for (const auto fitLines : { FitNumberedLines, FitPlainLines })
   {
     NamesFit fit = fitLines(lines, count, radii);
+    if (fit.What == NamesFit::Fits && HaveTwoUnits(head, lines))
+    {
+      fit.What = NamesFit::Unclear;
+      fit.Complaint = "found several units of length, expected one for coordinates and radii";
+    }
     if (fit.What == NamesFit::Fits ||
       (fit.What == NamesFit::Unclear && unclear.What == NamesFit::NoNames))
     {

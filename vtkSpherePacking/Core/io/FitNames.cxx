@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/FitNames.h"
 
+#include "io/DiameterWords.h"
 #include "io/NameLists.h"
 #include "io/NameMeaning.h"
 #include "io/PackingFileError.h"
 #include "io/SplitNames.h"
 #include "io/TableLayout.h"
+#include "io/UnitsOfRemark.h"
+#include "io/UsualForms.h"
 
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <iterator>
 #include <optional>
-#include <set>
 
 namespace spherepacking
 {
@@ -122,6 +124,10 @@ std::size_t UnitEnd(const Names& names, std::size_t i)
 // The unit of length that stands behind each name of the sphere, or nothing. Red has none.
 std::string UnitOfSphere(const Names& names)
 {
+  if (names.size() > MostNames)
+  {
+    return {};
+  }
   std::vector<NameMeaning> meanings;
   std::transform(names.begin(), names.end(), std::back_inserter(meanings), MeaningOfName);
   const auto has = [&](NameMeaning::Kind kind)
@@ -187,9 +193,19 @@ Names JoinTwoWords(const Names& names)
   return joined;
 }
 
+// Without the rules of tables and slashes that stand between names.
+Names WithoutRules(Names words)
+{
+  const auto isRule = [](std::string_view word)
+  { return word.find_first_not_of("|/:") == std::string_view::npos; };
+  words.erase(std::remove_if(words.begin(), words.end(), isRule), words.end());
+  return words;
+}
+
 Names SplitWords(std::string_view line)
 {
-  return SplitNames(WithoutLabelWord(WithoutLabel(WithoutSigns(line))), Between::Anything);
+  return WithoutRules(
+    SplitNames(WithoutLabelWord(WithoutLabel(WithoutSigns(line))), Between::Anything));
 }
 
 /// Collects the readings of one line.
@@ -218,7 +234,7 @@ public:
   // names, too.
   void TryWords(const Names& words)
   {
-    const Names joined = JoinTwoWords(words);
+    const Names joined = JoinTwoWords(WithoutRules(words));
     this->Try(joined);
     if (const Names names = WithoutUnits(joined); names.size() != joined.size())
     {
@@ -277,10 +293,14 @@ private:
   bool Differ = false;
   std::string Complaint;
 };
+
+NamesFit TwoUnits(std::string_view line)
+{
+  return { NamesFit::Unclear, {},
+    "found several units of length in " + Quote(line.data(), line.data() + line.size()) +
+      ", expected one for coordinates and radii" };
 }
 
-namespace
-{
 // Names among which one stands for all coordinates.
 NamesFit FitPosition(std::string_view line, std::size_t count, Radii radii)
 {
@@ -289,95 +309,34 @@ NamesFit FitPosition(std::string_view line, std::size_t count, Radii radii)
   {
     return {};
   }
+  std::string names; // in one text, in which words can be joined
+  for (const std::string& name : spelled.Names)
+  {
+    names += name + ' ';
+  }
   Readings readings(count, radii);
-  readings.TryWords(Names(spelled.Names.begin(), spelled.Names.end()));
+  readings.TryWords(SplitNames(names, Between::Anything));
   if (spelled.IsClear && readings.Fit())
   {
-    return readings.Result();
+    return UnitsOfRemark(line).size() > 1 ? TwoUnits(line) : readings.Result();
   }
   NamesFit fit;
   fit.What = spelled.RadiusFollows ? NamesFit::NoNames : NamesFit::Unclear;
   return fit;
 }
-}
 
-//------------------------------------------------------------------------------
-std::vector<std::string_view> NameWords(std::string_view line)
+// Whether a line speaks of diameters although one of its columns is a radius and no other is what
+// it speaks of: "x y z r (diameter)".
+bool CallsRadiusDiameter(std::string_view line, const std::vector<Column>& columns)
 {
-  Names words = SplitWords(line);
-  if (const auto numbered = TakeNumbers(words))
-  {
-    words = numbered->Of;
-  }
-  return WithoutColons(WithoutUnits(words));
+  const auto isRadius = [](const Column& column) { return column.Role == ColumnRole::Radius; };
+  return std::any_of(columns.begin(), columns.end(), isRadius) && SpeaksOfDiameter(line) &&
+    std::none_of(columns.begin(), columns.end(),
+      [&](const Column& column) { return !isRadius(column) && SpeaksOfDiameter(column.Name); });
 }
 
-//------------------------------------------------------------------------------
-bool NamesSomeOfSphere(const std::vector<std::string_view>& words, std::size_t count)
-{
-  std::array<bool, 4> named{};
-  bool others = false;
-  bool numbered = false;
-  for (std::string_view word : words)
-  {
-    const bool hasNumber = !IsNumber(word) && LeadingNumber(word, word).has_value();
-    const NameMeaning meaning = MeaningOfName(word);
-    const bool axis = meaning.What == NameMeaning::Coordinate;
-    const bool size = meaning.What == NameMeaning::Radius || meaning.What == NameMeaning::Diameter;
-    // What gives values, such as "box x 10 y 10", names no columns.
-    if (word == "=" || (!hasNumber && !word.empty() && word[0] >= '0' && word[0] <= '9'))
-    {
-      return false;
-    }
-    named[axis ? meaning.Axis : 3] |= axis || size;
-    others |= !axis && !size;
-    numbered |= hasNumber;
-  }
-  const auto names = std::count(named.begin(), named.end(), true);
-  return names >= (count > 4 || !others ? 2 : 3) || (numbered && names > 0);
-}
-
-//------------------------------------------------------------------------------
-bool NamesOtherColumns(std::string_view line, std::size_t count)
-{
-  return ListOtherColumns(NameWords(line), count) || ListOtherColumns(SplitWords(line), count);
-}
-
-//------------------------------------------------------------------------------
-bool HasTwoUnits(std::string_view line)
-{
-  std::set<std::string> lengths;
-  for (std::size_t at = line.find_first_of("(["); at != line.npos;)
-  {
-    const std::size_t end = BracketEnd(line, at);
-    const std::string_view before = Trim(line.substr(0, at));
-    const std::size_t word = before.find_last_of(" \t,;:)]");
-    if (IsOfSphere(MeaningOfName(before.substr(word == before.npos ? 0 : word + 1))))
-    {
-      lengths.insert(LengthUnit(Trim(line.substr(at + 1, end > at ? end - at - 1 : 0))));
-    }
-    at = end > at ? line.find_first_of("([", end) : line.npos;
-  }
-  lengths.erase("");
-  return lengths.size() > 1;
-}
-
-//------------------------------------------------------------------------------
-bool AreNumbered(std::string_view line)
-{
-  return TakeNumbers(SplitWords(line)).has_value();
-}
-
-//------------------------------------------------------------------------------
-std::vector<std::string_view> WithoutNumbers(const std::vector<std::string_view>& names)
-{
-  const auto numbered = TakeNumbers(names);
-  const Names placed = numbered ? InPlace(*numbered, names.size()) : Names();
-  return placed.empty() ? names : placed;
-}
-
-//------------------------------------------------------------------------------
-NamesFit FitNames(std::string_view line, std::size_t count, Radii radii)
+// Names in the usual forms of lists.
+NamesFit FitUsual(std::string_view line, std::size_t count, Radii radii)
 {
   line = WithoutLabel(WithoutSigns(line));
   std::vector<std::string_view> lines{ line };
@@ -402,12 +361,6 @@ NamesFit FitNames(std::string_view line, std::size_t count, Radii radii)
     }
   }
   NamesFit fit = readings.Result();
-  if (fit.What == NamesFit::Fits && HasTwoUnits(line))
-  {
-    return { NamesFit::Unclear, {},
-      "found several units of length in " + Quote(line.data(), line.data() + line.size()) +
-        ", expected one for coordinates and radii" };
-  }
   if (fit.What == NamesFit::NoNames)
   {
     fit = FitPosition(line, count, radii);
@@ -419,6 +372,104 @@ NamesFit FitNames(std::string_view line, std::size_t count, Radii radii)
   {
     fit.What = NamesFit::Unclear;
     fit.Complaint = complaint;
+  }
+  return fit;
+}
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string_view> NameWords(std::string_view line)
+{
+  Names words = SplitWords(line);
+  if (const auto numbered = TakeNumbers(words))
+  {
+    words = numbered->Of;
+  }
+  return WithoutColons(WithoutUnits(words));
+}
+
+//------------------------------------------------------------------------------
+bool NamesSomeOfSphere(const std::vector<std::string_view>& words, std::size_t count)
+{
+  std::array<bool, 4> named{};
+  bool others = false;
+  bool numbered = false;
+  for (std::string_view word : words)
+  {
+    if (word == "2-d" || word == "3-d" || word == "2-D" || word == "3-D")
+    {
+      others = true;
+      continue;
+    }
+    const bool hasNumber = !IsNumber(word) && LeadingNumber(word, word).has_value();
+    const NameMeaning meaning = MeaningOfName(word);
+    const bool axis = meaning.What == NameMeaning::Coordinate;
+    const bool size = meaning.What == NameMeaning::Radius || meaning.What == NameMeaning::Diameter;
+    // What gives values, such as "box x 10 y 10", names no columns.
+    if (word == "=" || (!hasNumber && !word.empty() && word[0] >= '0' && word[0] <= '9'))
+    {
+      return false;
+    }
+    named[axis ? meaning.Axis : 3] |= axis || size;
+    others |= !axis && !size;
+    numbered |= hasNumber;
+  }
+  const auto names = std::count(named.begin(), named.end(), true);
+  return names >= (count > 4 || !others ? 2 : 3) || (numbered && names > 0);
+}
+
+//------------------------------------------------------------------------------
+bool NamesOtherColumns(std::string_view line, std::size_t count)
+{
+  const auto lists = [count](std::string_view text)
+  { return ListOtherColumns(NameWords(text), count) || ListOtherColumns(SplitWords(text), count); };
+  const std::vector<std::string> forms = UsualForms(line, count);
+  return lists(line) || std::any_of(forms.begin(), forms.end(), lists);
+}
+
+//------------------------------------------------------------------------------
+bool AreNumbered(std::string_view line)
+{
+  return TakeNumbers(SplitWords(line)).has_value();
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string_view> WithoutNumbers(const std::vector<std::string_view>& names)
+{
+  const auto numbered = TakeNumbers(names);
+  const Names placed = numbered ? InPlace(*numbered, names.size()) : Names();
+  return placed.empty() ? names : placed;
+}
+
+//------------------------------------------------------------------------------
+NamesFit FitNames(std::string_view line, std::size_t count, Radii radii)
+{
+  NamesFit fit = FitUsual(line, count, radii);
+  if (fit.What != NamesFit::Fits)
+  {
+    for (const std::string& form : UsualForms(line, count))
+    {
+      NamesFit other = FitUsual(form, count, radii);
+      if (other.What == NamesFit::Fits ||
+        (other.What == NamesFit::Unclear && fit.Complaint.empty()))
+      {
+        fit = std::move(other);
+      }
+      if (fit.What == NamesFit::Fits)
+      {
+        break;
+      }
+    }
+  }
+  if (fit.What == NamesFit::Fits && CallsRadiusDiameter(line, fit.Columns))
+  {
+    return { NamesFit::Unclear, {},
+      "found a radius and a diameter in " + Quote(line.data(), line.data() + line.size()) +
+        ", expected one name for each column" };
+  }
+  if (fit.What != NamesFit::NoNames && fit.Complaint.empty() && HasTwoUnits(line))
+  {
+    return TwoUnits(line);
   }
   return fit;
 }

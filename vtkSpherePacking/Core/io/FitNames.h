@@ -40,9 +40,6 @@ bool NamesSomeOfSphere(const std::vector<std::string_view>& words, std::size_t c
 /// radius.
 bool NamesOtherColumns(std::string_view line, std::size_t count);
 
-/// Whether the brackets right behind names of the sphere hold units of different lengths.
-bool HasTwoUnits(std::string_view line);
-
 /// Whether all words of `line` have the number of a column before them.
 bool AreNumbered(std::string_view line);
 

@@ -67,9 +67,9 @@ std::vector<Column> GivenColumns(const ReadOptions& options)
   std::remove_copy_if(names.begin(), names.end(), std::back_inserter(wanted), isSkipped);
 
   std::string complaint;
-  const auto found = ColumnsFromNames(wanted, complaint, RadiiOf(options));
+  const auto found = ColumnsFromNames(wanted, complaint, RadiiOf(options), NamesBy::User);
   std::string unused;
-  if (!found && ColumnsFromNames(wanted, unused, Radii::Optional))
+  if (!found && ColumnsFromNames(wanted, unused, Radii::Optional, NamesBy::User))
   {
     throw ContentError("columns: found no radius in " +
       Quote(text.data(), text.data() + text.size()) +

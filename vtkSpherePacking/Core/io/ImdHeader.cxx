@@ -42,7 +42,7 @@ void ReadImdHeader(TableHead& head)
   {
     return;
   }
-  head.EndsLines = true;
+  head.Ends = LineEnds::ByProgram;
   SimulationCell cell{};
   bool found[3] = {};
   for (const TextRange& comment : head.Comments)

@@ -2,6 +2,7 @@
 #include "io/LammpsDataFile.h"
 
 #include "io/LineCursor.h"
+#include "io/Misspelt.h"
 #include "io/PackingFileError.h"
 
 #include <algorithm>
@@ -82,6 +83,10 @@ private:
                                                              : nullptr;
     if (!to)
     {
+      if (IsMisspelt(name, "Atoms") || IsMisspelt(name, "Velocities"))
+      {
+        this->Lines.Refuse("the name of a section, such as Atoms or Velocities");
+      }
       return nullptr;
     }
     if (*to)

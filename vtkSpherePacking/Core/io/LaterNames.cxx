@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/LaterNames.h"
 
+#include "io/DiameterWords.h"
 #include "io/FitComments.h"
 #include "io/NameLists.h"
 #include "io/PackingFileError.h"
+#include "io/RemarksOnSize.h"
 #include "io/TableHead.h"
 
 #include "vtkSMPTools.h"
@@ -56,6 +58,13 @@ bool SameCell(const SimulationCell& a, const std::optional<SimulationCell>& b)
   return b && std::equal(&a.Vectors[0][0], &a.Vectors[0][0] + 9, &b->Vectors[0][0]);
 }
 
+// Whether the fourth column is a radius by its place alone.
+bool MayHoldDiameters(const TableLayout& layout, Radii radii)
+{
+  return (layout.Named == Naming::None || layout.Named == Naming::FourAfterWords) &&
+    radii == Radii::Required;
+}
+
 // The one of comments that stand together that names other columns or another cell, if any does.
 std::optional<TextRange> FindOther(
   const TableHead& comments, const TableLayout& layout, std::string_view yade, Radii radii)
@@ -74,6 +83,10 @@ std::optional<TextRange> FindOther(
   }
   for (const TextRange& comment : comments.Comments)
   {
+    if (MayHoldDiameters(layout, radii))
+    {
+      CheckNoDiameter(comment, columns.size());
+    }
     std::string complaint;
     const auto some = ColumnsFromNames(NameWords(View(comment)), complaint);
     if (NamesOtherColumns(View(comment), columns.size()) ||
@@ -91,24 +104,26 @@ bool IsComment(const char* p, const char* end)
   return p != end && *p == '#';
 }
 
-// Whether comments may name coordinates: most do not, and take no more time than this.
-bool MayName(std::string_view comments)
+// Whether comments may name coordinates, or diameters if `sizes`: most do not, and take no more
+// time than this.
+bool MayName(std::string_view comments, bool sizes)
 {
   const auto has = [&](const char* letters)
   { return comments.find_first_of(letters) != comments.npos; };
   const auto says = [&](std::string_view word) { return comments.find(word) != comments.npos; };
   return (has("xX") && has("yY") && has("zZ")) || says("#format") || says("PERIODIC") ||
-    says("ositio") || says("entr") || says("ente") || says("oord");
+    says("ositio") || says("entr") || says("ente") || says("oord") ||
+    (sizes && SpeaksOfDiameter(comments));
 }
 
-// Comments that stand together in `chunk`, as one range each, if they may name coordinates or if
-// they may go on in another chunk.
-std::vector<TextRange> FindComments(const TextChunk& chunk)
+// Comments that stand together in `chunk`, as one range each, if they may name columns or if they
+// may go on in another chunk.
+std::vector<TextRange> FindComments(const TextChunk& chunk, bool sizes)
 {
   std::vector<TextRange> found;
   const auto dropLast = [&]
   {
-    if (!found.empty() && found.back().Begin != chunk.Begin && !MayName(View(found.back())))
+    if (!found.empty() && found.back().Begin != chunk.Begin && !MayName(View(found.back()), sizes))
     {
       found.pop_back();
     }
@@ -157,6 +172,7 @@ TableHead ReadComments(const TextRange& text)
 void CheckLaterNames(const TextRange& text, const std::vector<TextChunk>& chunks,
   const TableLayout& layout, Radii radii)
 {
+  const bool sizes = MayHoldDiameters(layout, radii);
   std::vector<std::vector<TextRange>> found(chunks.size());
   vtkSMPTools::For(0, static_cast<vtkIdType>(chunks.size()), 1,
     [&](vtkIdType first, vtkIdType last)
@@ -166,7 +182,7 @@ void CheckLaterNames(const TextRange& text, const std::vector<TextChunk>& chunks
         const bool isLast = i + 1 == static_cast<vtkIdType>(chunks.size());
         if (isLast || chunks[i + 1].FirstLine - chunks[i].FirstLine != chunks[i].Rows)
         {
-          found[i] = FindComments(chunks[i]);
+          found[i] = FindComments(chunks[i], sizes);
         }
       }
     });
@@ -184,7 +200,7 @@ void CheckLaterNames(const TextRange& text, const std::vector<TextChunk>& chunks
   std::string_view previous;
   for (const TextRange& comments : all)
   {
-    if (comments.Begin < row.Begin || View(comments) == previous || !MayName(View(comments)))
+    if (comments.Begin < row.Begin || View(comments) == previous || !MayName(View(comments), sizes))
     {
       continue;
     }

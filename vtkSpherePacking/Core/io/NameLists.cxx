@@ -46,7 +46,8 @@ bool IsSentence(const Names& words)
 bool IsNameLike(std::string_view word)
 {
   static const Words usual{ "lat", "lon", "lng", "latitude", "longitude", "rho", "mass", "time",
-    "type", "density", "volume", "charge", "material", "label", "velocity", "height", "depth" };
+    "type", "density", "volume", "charge", "material", "label", "velocity", "height", "depth",
+    "row", "col", "column", "slice", "layer" };
   const bool letters = std::all_of(word.begin(), word.end(), IsLetter);
   const bool ofAxis = word.size() > 2 && (word[1] == '-' || word[1] == '_') &&
     std::string_view("xyzXYZ").find(word[0]) != std::string_view::npos;
@@ -57,9 +58,11 @@ bool IsNameLike(std::string_view word)
 // The line with xyz in place of "(x, y, z)".
 std::string JoinAxes(std::string_view line)
 {
+  constexpr std::size_t longest =
+    80; // so that brackets that do not close take no more time than others
   for (std::size_t at = line.find('('); at != line.npos; at = line.find('(', at + 1))
   {
-    const std::size_t end = BracketEnd(line, at);
+    const std::size_t end = BracketEnd(line.substr(0, at + longest), at);
     const Names axes =
       end == at ? Names() : SplitNames(line.substr(at + 1, end - at - 1), Between::Anything);
     const bool all =
@@ -85,7 +88,8 @@ bool IsIdName(std::string_view name)
 bool ListOtherColumns(Names words, std::size_t count)
 {
   DropAnd(words);
-  if (words.size() != count || IsSentence(words))
+  const bool fewer = words.size() < count;
+  if (words.size() > count || (fewer && words.size() < 4) || IsSentence(words))
   {
     return false;
   }
@@ -101,7 +105,7 @@ bool ListOtherColumns(Names words, std::size_t count)
     size |= meaning.What == NameMeaning::Radius || meaning.What == NameMeaning::Diameter;
   }
   const auto named = std::count(axes.begin(), axes.end(), true);
-  return named == 3 ? !size
+  return named == 3 ? !size && !fewer
                     : (named > 0 || size) && std::all_of(words.begin(), words.end(), IsNameLike);
 }
 

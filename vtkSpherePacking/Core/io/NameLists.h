@@ -12,8 +12,9 @@ namespace spherepacking
 /// Whether a name is that of a number or kind that programs put before a sphere, such as id.
 bool IsIdName(std::string_view name);
 
-/// Whether as many words as there are columns seem to be their names, and say that the columns are
-/// not x, y, z and radius: x, y and z with no size, or without all three. A sentence is no list.
+/// Whether as many words as there are columns, or four and more, seem to be their names, and say
+/// that the columns are not x, y, z and radius: x, y and z with no size, or without all three. A
+/// sentence is no list.
 bool ListOtherColumns(std::vector<std::string_view> words, std::size_t count);
 
 /// Names of columns in which one name, such as position, stood for three.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <map>
 #include <set>
 
@@ -41,30 +42,36 @@ std::string PlainWords(std::string_view text)
   return plain;
 }
 
-// Takes the unit off the end of a name: "[mm]", "(mm)", or "_mm".
+std::string_view TrimBlanks(std::string_view text)
+{
+  const std::size_t first = std::min(text.find_first_not_of(" \t"), text.size());
+  return text.substr(first, text.find_last_not_of(" \t") + 1 - first);
+}
+
+// Takes the unit off the end of a name: "[mm]", "(mm)", or "mm" behind one of _/:.-
 std::string_view TakeUnit(std::string_view name, NameMeaning& meaning)
 {
-  const auto trim = [](std::string_view text)
-  {
-    const std::size_t first = std::min(text.find_first_not_of(" \t"), text.size());
-    return text.substr(first, text.find_last_not_of(" \t") + 1 - first);
-  };
   if (const std::size_t at = name.find_first_of("(["); at != name.npos)
   {
     const std::size_t end = std::min(name.find_first_of(")]", at), name.size());
-    meaning.Unit = LengthUnit(trim(name.substr(at + 1, end - at - 1)));
-    return trim(name.substr(0, at));
+    const std::string_view text = TrimBlanks(name.substr(at + 1, end - at - 1));
+    meaning.Unit = UnitInBracket(text);
+    if (meaning.Unit.empty() && text.find_first_not_of("0123456789") != text.npos)
+    {
+      std::transform(text.begin(), text.end(), std::back_inserter(meaning.Unknown), Lower);
+    }
+    return TrimBlanks(name.substr(0, at));
   }
-  name = trim(name);
-  if (const std::size_t at = name.find_last_of(" \t_"); at != name.npos)
+  name = TrimBlanks(name);
+  if (const std::size_t at = name.find_last_of(" \t_/:.-"); at != name.npos)
   {
     meaning.Unit = LengthUnit(name.substr(at + 1));
     meaning.IsUnitGlued = !meaning.Unit.empty();
-    name = meaning.IsUnitGlued ? trim(name.substr(0, at)) : name;
+    name = meaning.IsUnitGlued ? TrimBlanks(name.substr(0, at)) : name;
     const std::size_t in = name.size() < 4 ? name.npos : name.size() - 3;
     const bool said = meaning.IsUnitGlued && in != name.npos && // "radius in mm"
       (name.substr(in) == " in" || name.substr(in) == "_in");
-    return said ? trim(name.substr(0, in)) : name;
+    return said ? TrimBlanks(name.substr(0, in)) : name;
   }
   return name;
 }
@@ -106,16 +113,33 @@ bool FindAxis(const std::string& plain, NameMeaning& meaning)
     (numbered && take(last, view.substr(0, last), "012"));
 }
 
+// Whether all words of "equivalent_sphere" say what a radius or a diameter is of.
+bool AreOwners(std::string_view words)
+{
+  static const Words owners{ "equivalent", "equiv", "eq", "effective", "eff", "inscribed", "sphere",
+    "spheres", "spherical", "particle", "grain", "ball", "bead", "atom", "atomic", "pore", "bubble",
+    "droplet", "vdw" };
+  for (std::size_t cut = 0; cut != words.npos;)
+  {
+    cut = words.find('_');
+    if (owners.count(words.substr(0, cut)) == 0)
+    {
+      return false;
+    }
+    words = cut == words.npos ? words : words.substr(cut + 1);
+  }
+  return true;
+}
+
 // radius, r, particle_radius and so on, or the same of a diameter.
 void FindSize(const std::string& plain, NameMeaning& meaning)
 {
-  static const Words owners{ "equivalent", "equiv", "eq", "sphere", "spheres", "spherical",
-    "particle", "grain", "ball", "bead", "atom", "atomic", "pore", "bubble", "droplet", "vdw" };
   struct Size
   {
     NameMeaning::Kind Kind;
     Words Full;
     Words Short;
+    Words OfParts; // of a particle, effective, equivalent
   };
   static const std::array<Size, 2> sizes{
     { { NameMeaning::Radius,
@@ -123,7 +147,7 @@ void FindSize(const std::string& plain, NameMeaning& meaning)
           "\xD1\x80\xD0\xB0\xD0\xB4\xD0\xB8\xD1\x83\xD1\x81", // Russian
           "\xD0\xA0\xD0\xB0\xD0\xB4\xD0\xB8\xD1\x83\xD1\x81",
           "\xE5\x8D\x8A\xE5\xBE\x84" }, // Chinese
-        { "r", "rad" } },
+        { "r", "rad" }, { "rp", "r_p", "reff", "r_eff", "r_eq" } },
       { NameMeaning::Diameter,
         { "diameter", "diameters", "durchmesser", "diametro", "diametre",
           "diam\xC3\xA8"
@@ -132,18 +156,20 @@ void FindSize(const std::string& plain, NameMeaning& meaning)
           "\xD0\xB4\xD0\xB8\xD0\xB0\xD0\xBC\xD0\xB5\xD1\x82\xD1\x80", // Russian
           "\xD0\x94\xD0\xB8\xD0\xB0\xD0\xBC\xD0\xB5\xD1\x82\xD1\x80",
           "\xE7\x9B\xB4\xE5\xBE\x84" }, // Chinese
-        { "d", "diam" } } }
+        { "d", "diam" }, { "dp", "d_p", "deff", "d_eff", "d_eq" } } }
   };
   const std::string_view view = plain;
   const std::size_t cut = view.rfind('_');
   const std::string_view word = cut == view.npos ? view : view.substr(cut + 1);
-  const bool owned = cut != view.npos && owners.count(view.substr(0, cut)) > 0;
+  const bool owned = cut != view.npos && AreOwners(view.substr(0, cut));
   for (const Size& size : sizes)
   {
     const bool full = size.Full.count(word) > 0;
-    if ((full && (owned || cut == view.npos)) || size.Short.count(view) > 0)
+    const bool ofParts = size.OfParts.count(view) > 0;
+    if ((full && (owned || cut == view.npos)) || size.Short.count(view) > 0 || ofParts)
     {
       meaning.What = size.Kind;
+      meaning.IsOfParts = ofParts;
       meaning.IsFullWord = full && !owned;
       meaning.IsLetter = view == "r";
       return;
@@ -170,6 +196,48 @@ std::string LengthUnit(std::string_view word)
 }
 
 //------------------------------------------------------------------------------
+std::string WithPlainBlanks(std::string_view text)
+{
+  std::string plain;
+  for (std::size_t p = 0; p < text.size(); ++p)
+  {
+    const bool space = text.substr(p, NoBreakSpace.size()) == NoBreakSpace;
+    plain += space ? ' ' : text[p];
+    p += space ? 1 : 0;
+  }
+  return plain;
+}
+
+//------------------------------------------------------------------------------
+std::string UnitInBracket(std::string_view text)
+{
+  text = TrimBlanks(text);
+  return LengthUnit(text.substr(0, 3) == "in " ? TrimBlanks(text.substr(3)) : text);
+}
+
+//------------------------------------------------------------------------------
+std::optional<NameMeaning> CoordinateOfParticle(std::string_view name)
+{
+  NameMeaning meaning;
+  std::string plain = PlainWords(TakeUnit(name, meaning));
+  if (plain.size() == 3 && plain[1] == '_')
+  {
+    plain.erase(1, 1);
+  }
+  const std::size_t p = plain.size() == 2 ? plain.find('p') : plain.npos;
+  const std::size_t axis = p == plain.npos ? p : std::string_view("xyz").find(plain[1 - p]);
+  if (axis == plain.npos)
+  {
+    return std::nullopt;
+  }
+  meaning.What = NameMeaning::Coordinate;
+  meaning.Axis = static_cast<int>(axis);
+  plain[1 - p] = '*';
+  meaning.Family = std::move(plain);
+  return meaning;
+}
+
+//------------------------------------------------------------------------------
 NameMeaning MeaningOfName(std::string_view name)
 {
   static const std::map<std::string, NameMeaning::Kind> others{ { "g", NameMeaning::Green },
@@ -179,6 +247,10 @@ NameMeaning MeaningOfName(std::string_view name)
     { "elevation", NameMeaning::PolarAngle }, { "phi", NameMeaning::Azimuth },
     { "\xCF\x86", NameMeaning::Azimuth }, { "\xCF\x95", NameMeaning::Azimuth },
     { "azimuth", NameMeaning::Azimuth } };
+  if (name.find(NoBreakSpace) != name.npos)
+  {
+    return MeaningOfName(WithPlainBlanks(name));
+  }
   NameMeaning meaning;
   const std::string plain = PlainWords(TakeUnit(name, meaning));
   if (plain.empty())
@@ -215,7 +287,7 @@ bool IsUnit(std::string_view word)
   // None of a letter but m: g may be green and n a number.
   static const Words others{ "kg", "Pa", "kPa", "MPa", "GPa", "deg" };
   return !LengthUnit(word).empty() || others.count(word) > 0 ||
-    word.find_first_of("/^") != word.npos;
+    (word.find_first_of("/^") != word.npos && !IsOfSphere(MeaningOfName(word)));
 }
 
 //------------------------------------------------------------------------------

@@ -2,6 +2,7 @@
 #ifndef NameMeaning_h
 #define NameMeaning_h
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -25,10 +26,12 @@ struct NameMeaning
   Kind What = Other;
   bool IsFullWord = false;  ///< radius or diameter, neither shortened nor with words before it
   bool IsLetter = false;    ///< r, which may be red or a distance, too
+  bool IsOfParts = false;   ///< a letter and what it is of: Rp, d_eq
   bool IsUnitGlued = false; ///< the unit follows without brackets, as in r_mm
   int Axis = 0;
-  std::string Family; ///< of a coordinate: its name with * for the axis
-  std::string Unit;   ///< of length, in one spelling, if there is one
+  std::string Family;  ///< of a coordinate: its name with * for the axis
+  std::string Unit;    ///< of length, in one spelling, if there is one
+  std::string Unknown; ///< what is in brackets behind the name, if it is no unit that is known
 };
 
 /// Whether a name is that of a coordinate or a size.
@@ -41,7 +44,19 @@ inline bool IsOfSphere(const NameMeaning& meaning)
 /// The family of x, y, z.
 constexpr const char* PlainFamily = "*";
 
+/// The meaning of a name such as px or x_p if it is a coordinate; a momentum may be called so, too.
+std::optional<NameMeaning> CoordinateOfParticle(std::string_view name);
+
 NameMeaning MeaningOfName(std::string_view name);
+
+/// A blank that keeps words together, which spreadsheets and web pages put between any.
+constexpr std::string_view NoBreakSpace = "\xC2\xA0";
+
+/// The text with other blanks in place of these.
+std::string WithPlainBlanks(std::string_view text);
+
+/// The unit in a bracket, "mm" or "in mm", in one spelling, or nothing.
+std::string UnitInBracket(std::string_view text);
 
 /// Whether a name stands for all three coordinates, such as position or xyz.
 bool IsPosition(std::string_view name);

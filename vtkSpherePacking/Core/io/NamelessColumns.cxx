@@ -83,18 +83,31 @@ std::vector<Column> ColumnsOfXyzr(const TextRange& text, const TextRange& row, c
     [&](const TextRange& at)
     {
       const Fields here = Separators::Liberal().Split(at.Begin);
-      idsFirst &= run.First < here.size() && IsWhole(here[run.First]);
-      idsLast &= last < here.size() && IsWhole(here[last]);
+      const auto areWhole = [&](std::size_t first, std::size_t end)
+      {
+        return end <= here.size() && std::all_of(here.begin() + first, here.begin() + end, IsWhole);
+      };
+      idsFirst = idsFirst && areWhole(run.First, last - 3);
+      idsLast = idsLast && areWhole(run.First + 4, last + 1);
       return ++rows < enough && (idsFirst || idsLast);
     });
-  if (idsFirst && idsLast)
+  if (idsFirst == idsLast)
   {
     throw LineError(row.FirstLine,
       "found " + std::to_string(run.Count) + " numbers in " + Quote(row.Begin, row.End) +
-        ", of which the first or the last may be ids, expected " + ColumnsHint);
+        (idsFirst ? ", of which the first or the last may be ids"
+                  : ", of which neither the first nor the last are ids for certain") +
+        ", expected " + ColumnsHint);
   }
   return SphereAt(idsLast ? run.First : last - 3, fields.size());
 }
+}
+
+//------------------------------------------------------------------------------
+std::string HintFor(std::size_t count)
+{
+  return count == 4 ? "columns=\"x y z r\" (--columns) or the like to say what they are"
+                    : ColumnsHint;
 }
 
 //------------------------------------------------------------------------------

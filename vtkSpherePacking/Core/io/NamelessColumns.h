@@ -6,12 +6,17 @@
 #include "io/TableLayout.h"
 #include "io/TextLines.h"
 
+#include <cstddef>
+#include <string>
 #include <vector>
 
 namespace spherepacking
 {
 /// What a user can say instead, for messages.
 extern const char* const ColumnsHint;
+
+/// The same where rows have `count` columns.
+std::string HintFor(std::size_t count);
 
 /**
  * The columns of rows like `row`, in which `text` begins: x, y, z and radius come first, or in

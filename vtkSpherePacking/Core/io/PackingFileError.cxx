@@ -20,6 +20,13 @@ void ThrowInFile(const std::string& file, const ContentError& error)
 std::string Quote(const char* begin, const char* end)
 {
   constexpr std::size_t longest = 40;
-  return "'" + PrintableText(std::string_view(begin, end - begin), longest) + "'";
+  std::string text = PrintableText(std::string_view(begin, end - begin), longest);
+  // Nobody sees that it is no blank, which is what is wrong where it stands between numbers.
+  constexpr std::string_view noBreakSpace = "\xC2\xA0";
+  for (std::size_t at = text.find(noBreakSpace); at != text.npos; at = text.find(noBreakSpace, at))
+  {
+    text.replace(at, noBreakSpace.size(), "\\xc2\\xa0");
+  }
+  return "'" + text + "'";
 }
 }

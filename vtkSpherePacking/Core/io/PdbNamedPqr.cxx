@@ -45,7 +45,8 @@ void RefusePdb(const TextRange& text)
   {
     throw LineError(firstAtom,
       "found occupancy and temperature factor (B-factor) in the columns of a PDB file, expected "
-      "charge and radius; rename the file to .pdb if it is one");
+      "charge and radius; rename the file to .pdb if it is one, or say radius=\"radius\" (--radius "
+      "radius) if these numbers are charge and radius");
   }
 }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/FileBytes.h"
+#include "io/CutFile.h"
 #include "io/DockCluster.h"
+#include "io/FileBytes.h"
 #include "io/LineScanner.h"
 #include "io/PackingFileError.h"
 #include "io/PackingFormats.h"
@@ -55,12 +56,25 @@ void SplitByFields(const LineScanner& scanner, DockRow& row)
   std::copy(fields.begin() + 5, fields.end(), row.More);
 }
 
+// Whether the current line is the row of a sphere rather than a title or the name of a colour.
+bool HoldsSphere(const LineScanner& scanner)
+{
+  DockRow row;
+  const auto fields = scanner.Fields();
+  double value;
+  return SplitByColumns(scanner.WholeLine(), row) ||
+    (fields.size() >= 5 &&
+      std::all_of(
+        fields.begin(), fields.begin() + 5, [&](auto f) { return ParseFinite(f, value); }));
+}
+
 /// The rows of a file of DOCK, in arrays.
 class DockParser
 {
 public:
   explicit DockParser(const TextRange& text)
-    : Scanner(text, {})
+    : Text(text)
+    , Scanner(text, {})
   {
   }
 
@@ -82,8 +96,14 @@ public:
       {
         this->AddRow();
       }
+      else if (HoldsSphere(this->Scanner))
+      {
+        this->Scanner.Refuse("the line of its cluster before it, such as cluster 1 number of "
+                             "spheres in cluster 23");
+      }
     }
     this->CheckSize();
+    CheckNotCut(this->Text);
     if (this->Spheres.empty())
     {
       ThrowNoSphere("clusters with rows of x y z radius");
@@ -151,6 +171,7 @@ private:
     }
   }
 
+  TextRange Text;
   LineScanner Scanner;
   DockCluster Cluster{ 0, 0 };
   std::size_t First = 0;

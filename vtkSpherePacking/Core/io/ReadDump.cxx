@@ -20,7 +20,6 @@ PackingArrays ParseDump(
   const DumpHeader header =
     blocks.AddLines([&] { return ReadDumpHeader(blocks.Text(), RadiiOf(options)); });
   StepRows rows{ header.Atoms.Begin, header.Count, header.CountLine, "atoms" };
-  rows.MustEndLines = true;
   rows.End = EndOfAtoms;
   PackingArrays arrays = ReadStepRows(blocks, rows, header.Layout, options, progress);
   if (header.Cell)

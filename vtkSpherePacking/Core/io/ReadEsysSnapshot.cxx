@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "io/CutFile.h"
 #include "io/EsysSnapshot.h"
 #include "io/FileBytes.h"
 #include "io/LineCursor.h"
@@ -57,6 +58,24 @@ WorkerFile LookAt(const std::string& path)
     });
 }
 
+// Throws if the file of a further worker lies beside those that are named: the program does not end
+// the line of their names, which may have been cut between two of them.
+void CheckNoFurtherFile(const std::string& folder, const EsysSnapshot& snapshot)
+{
+  const std::string& last = snapshot.Files.back();
+  const std::size_t number = last.rfind('_');
+  const std::string name = last.substr(0, number == last.npos ? 0 : number + 1) +
+    std::to_string(snapshot.Files.size() + 1) + ".txt";
+  if (number != last.npos &&
+    vtksys::SystemTools::FileExists(folder.empty() ? name : folder + '/' + name, true))
+  {
+    throw LineError(snapshot.FilesLine,
+      "found " + std::to_string(snapshot.Files.size()) + " files of particles, but " +
+        Quote(name.data(), name.data() + name.size()) +
+        " beside them, too, expected the names of all (remove it if it is of another run)");
+  }
+}
+
 std::vector<WorkerFile> FindWorkerFiles(const std::string& head, const EsysSnapshot& snapshot)
 {
   const std::string folder = vtksys::SystemTools::GetFilenamePath(head);
@@ -79,6 +98,7 @@ std::vector<WorkerFile> FindWorkerFiles(const std::string& head, const EsysSnaps
     }
     files.push_back(LookAt(path));
   }
+  CheckNoFurtherFile(folder, snapshot);
   return files;
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "io/CutFile.h"
 #include "io/FileBytes.h"
 #include "io/LineScanner.h"
 #include "io/PackingFileError.h"
@@ -14,6 +15,16 @@ namespace spherepacking
 {
 namespace
 {
+// Of a line of a PDB file; in a longer one the next has lost its line end.
+constexpr std::size_t Columns = 80;
+
+// Whether a line that is no ATOM holds a sphere, or what is left of one whose columns have moved.
+bool LooksLikeDamagedSphere(std::string_view line)
+{
+  return HoldsCoordinates(line) || line.size() > Columns ||
+    line.find(" SPH ") != std::string_view::npos;
+}
+
 /**
  * Reads the spheres of a pore that HOLE writes (O. Smart et al., "HOLE: a program for the analysis
  * of the pore dimensions of ion channel structural models", 1996), as records of atoms in the
@@ -35,7 +46,7 @@ PackingArrays ParseHole(const TextRange& text, bool single, Progress& progress)
     {
       int plane;
       if (!HoldsCoordinates(line) || !HoldsFixedNumber(line, 55, 60, 2) ||
-        !ParseInteger(PdbColumns(line, 23, 26), plane))
+        !ParseInteger(PdbColumns(line, 23, 26), plane) || line.size() > Columns)
       {
         scanner.Refuse("a plane in columns 23 to 26, x y z in 31 to 54 and a radius in 55 to 60");
       }
@@ -50,11 +61,12 @@ PackingArrays ParseHole(const TextRange& text, bool single, Progress& progress)
     {
       ends.back() = 1;
     }
-    else if (HoldsCoordinates(line))
+    else if (LooksLikeDamagedSphere(line))
     {
       scanner.Refuse("ATOM or a line without coordinates");
     }
   }
+  CheckNotCut(text);
   if (spheres.empty())
   {
     ThrowNoSphere("records ATOM with x y z and a radius");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/FileBytes.h"
 #include "io/LineScanner.h"
+#include "io/Misspelt.h"
 #include "io/PackingFileError.h"
 #include "bridge/PrintableText.h"
 #include "io/PackingFormats.h"
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <unordered_map>
+#include <utility>
 
 namespace spherepacking
 {
@@ -43,17 +45,31 @@ public:
         this->Scanner.Refuse("Begin and the name of a block");
       }
       const std::string name(fields[1]);
-      if (name == "Nodes")
+      if (name == "Nodes" && fields.size() == 2)
       {
         this->ScanBlock(name, [&](const auto& row) { this->AddNode(row); });
       }
-      else if (name == "NodalData" && fields.size() > 2 && fields[2] == "RADIUS")
+      else if (name == "NodalData" && fields.size() == 3 && fields[2] == "RADIUS")
       {
         this->ScanBlock(name, [&](const auto& row) { this->AddRadius(row); });
       }
+      else if (name == "Elements" && fields.size() > 2 && fields[2].substr(0, 7) == "Spheric")
+      {
+        this->ScanBlock(name, [&](const auto& row) { this->AddElement(row); });
+      }
       else
       {
+        this->CheckName(fields);
         this->SkipBlock(name);
+      }
+    }
+    for (const auto& [node, line] : this->Elements)
+    {
+      if (!this->Radii.empty() && this->Radii.count(node) == 0)
+      {
+        throw LineError(line,
+          "found a spherical particle at node " + std::to_string(node) +
+            ", expected its radius in a block NodalData RADIUS");
       }
     }
   }
@@ -83,6 +99,21 @@ public:
   }
 
 private:
+  // Refuses what may be a block of nodes or radii whose name is damaged. Others may be of any
+  // variable; what follows the name of one of these is the name of an element or a number.
+  void CheckName(const std::vector<std::string_view>& fields) const
+  {
+    constexpr std::string_view names[] = { "ModelPartData", "Properties", "Table", "Geometries",
+      "Elements", "Conditions", "Constraints", "MasterSlaveConstraints", "NodalData",
+      "ElementalData", "ConditionalData", "SubModelPart", "Mesh" };
+    if (std::find(std::begin(names), std::end(names), fields[1]) == std::end(names) ||
+      (fields[1] == "NodalData" && (fields.size() != 3 || IsMisspelt(fields[2], "RADIUS"))))
+    {
+      this->Scanner.Refuse("Begin and the name of a block of Kratos, such as Begin Nodes or Begin "
+                           "NodalData RADIUS");
+    }
+  }
+
   // Hands each row of the current block to `add`.
   template <typename Add>
   void ScanBlock(const std::string& name, const Add& add)
@@ -133,6 +164,18 @@ private:
     }
   }
 
+  // A row has the number of the element, that of its properties, and that of the node.
+  void AddElement(const std::vector<std::string_view>& row)
+  {
+    vtkIdType node;
+    if (row.size() != 3 || !ParseInteger(row[2], node))
+    {
+      this->Scanner.Refuse(
+        "the numbers of an element, its properties and its node, or End Elements");
+    }
+    this->Elements.emplace_back(node, this->Scanner.LineNumber());
+  }
+
   // A row has the number of the node, whether its value is fixed, and the value.
   void AddRadius(const std::vector<std::string_view>& row)
   {
@@ -152,6 +195,7 @@ private:
   std::vector<Node> Nodes;
   std::unordered_map<vtkIdType, std::size_t> Known; // index in Nodes by id
   std::unordered_map<vtkIdType, SphereFields> Radii;
+  std::vector<std::pair<vtkIdType, vtkIdType>> Elements; // nodes of spherical particles, and lines
 };
 }
 

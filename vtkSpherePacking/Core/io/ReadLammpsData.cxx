@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "io/CutFile.h"
 #include "io/GivenColumns.h"
 #include "io/FileBytes.h"
 #include "io/LammpsAtomStyle.h"
@@ -189,15 +190,29 @@ void AddVelocities(PackingArrays& atoms, const char* textEnd, const LammpsSectio
   }
 }
 
+// Programs say in the title who they are. People may leave out the last line end, after the
+// sections that are read here.
+void CheckEnd(const TextRange& text, const LammpsDataFile& file)
+{
+  const bool byProgram = file.Title.find("via write_data") != file.Title.npos ||
+    file.Title.find("LIGGGHTS") != file.Title.npos;
+  for (const auto& section : { file.Atoms, file.Velocities })
+  {
+    if (!byProgram && section && section->Rows.End == text.End)
+    {
+      CheckNotCut(section->Rows, LineEnds::ByPeople, Separators::Liberal());
+      return;
+    }
+  }
+  CheckNotCut(text);
+}
+
 PackingArrays ParseLammpsData(
   const FileBytes& bytes, const ReadOptions& options, Progress& progress)
 {
   const TextRange text{ SkipUtf8Mark(bytes.Begin(), bytes.End()), bytes.End() };
   const LammpsDataFile file = ScanLammpsData(text);
-  if (file.Title.find("via write_data") != file.Title.npos)
-  {
-    CheckNotCut(text); // people may leave out the last line end
-  }
+  CheckEnd(text, file);
   if (file.Count < 0)
   {
     throw ContentError("holds no line with the number of atoms, expected N atoms in the header");

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "io/CutFile.h"
 #include "io/FileBytes.h"
 #include "io/LineScanner.h"
 #include "io/PackingFileError.h"
@@ -84,6 +85,7 @@ std::vector<SphereFields> FindVertices(const TextRange& text)
       AddVertex(scanner, letters, spheres);
     }
   }
+  CheckNotCut(text);
   for (std::size_t kind = 0; kind < head.size(); ++kind)
   {
     if (counts[kind] != found[kind])

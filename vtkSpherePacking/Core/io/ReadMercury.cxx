@@ -72,6 +72,12 @@ SimulationCell CellOf(const MercuryHeader& header)
   return cell;
 }
 
+bool IsBox(const MercuryHeader& header)
+{
+  return std::equal(header.Least, header.Least + header.Dimensions, header.Greatest,
+    [](double least, double greatest) { return least < greatest; });
+}
+
 // Whether a text that begins with a step has its header and the first particle.
 bool HasHead(const TextRange& text)
 {
@@ -101,7 +107,6 @@ PackingArrays ParseMercury(LineBlocks& blocks, const ReadOptions& options, Progr
     blocks.AddLines([&] { lines.Refuse(MercuryHeader::Expected); });
   }
   StepRows rows{ lines.Rest().Begin, header->Count, lines.Number(), "particles" };
-  rows.MustEndLines = true;
   PackingArrays arrays = ReadStepRows(blocks, rows, LayoutOf(*header, lines), options, progress);
   // A cell without extent along z would be none.
   if (header->Dimensions == 3)
@@ -156,9 +161,11 @@ bool BeginsAsMercury(const char* begin, const char* end)
     return false;
   }
   const auto fields = lines.Fields();
+  // A last row that was cut has fewer columns, but is still below what can be no row of a table.
+  const bool isCut = lines.EndsWithText() && header->Dimensions == 3 && IsBox(*header);
   const bool fits = header->Dimensions == 2
     ? fields.size() == Columns2D
-    : fields.size() >= Columns3D && fields.size() <= MostColumns3D;
+    : (fields.size() >= Columns3D || isCut) && fields.size() <= MostColumns3D;
   return fits && std::all_of(fields.begin(), fields.end(), [](auto f) { return IsNumber(f); });
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "io/CutFile.h"
 #include "io/FileBytes.h"
 #include "io/LineScanner.h"
 #include "io/PackLsdHeader.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "io/CutFile.h"
 #include "io/AtomRecord.h"
 #include "io/FileBytes.h"
 #include "io/Number.h"
@@ -291,7 +292,10 @@ PackingArrays ParsePqr(const FileBytes& bytes, const ReadOptions& options, Progr
   {
     ThrowNoSphere("ATOM or HETATM records that end with x y z charge radius");
   }
-  RefusePdb(models.First);
+  if (!options.RadiusOptional) // who says which radii he means knows what the numbers are
+  {
+    RefusePdb(models.First);
+  }
   if (models.First.End == all.End)
   {
     CheckLastAtomNotCut(all);

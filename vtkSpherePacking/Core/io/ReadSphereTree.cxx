@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "io/CutFile.h"
 #include "io/FileBytes.h"
 #include "io/LineScanner.h"
 #include "io/PackingFileError.h"
@@ -41,6 +42,11 @@ std::vector<Level> FindLevels(LineScanner& scanner)
         std::to_string(sphere) + " spheres in level " + name);
     }
     levels.back().Text.End = scanner.Rest().Begin;
+  }
+  if (!levels.empty())
+  {
+    CheckNotCut({ levels[0].Text.Begin, levels.back().Text.End, levels[0].Text.FirstLine },
+      LineEnds::ByPeople, Separators::Liberal());
   }
   if (scanner.Next())
   {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "io/CutFile.h"
 #include "io/FileBytes.h"
 #include "io/LineScanner.h"
 #include "io/PackingFileError.h"
@@ -15,6 +16,7 @@ namespace
 PackingArrays ParseSwc(const FileBytes& bytes, const ReadOptions& options, Progress& progress)
 {
   const TextRange text{ SkipUtf8Mark(bytes.Begin(), bytes.End()), bytes.End() };
+  CheckNotCut(text);
   LineScanner scanner(text);
   if (!scanner.Next())
   {

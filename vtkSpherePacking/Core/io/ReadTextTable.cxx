@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/CheckPlaces.h"
+#include "io/CutFile.h"
 #include "io/FileBytes.h"
 #include "io/GivenColumns.h"
 #include "io/LaterNames.h"
@@ -22,10 +23,7 @@ PackingArrays ParseTextTable(
   const FileBytes bytes = ToUtf8(std::move(encoded));
   TextRange text{ SkipUtf8Mark(bytes.Begin(), bytes.End()), bytes.End() };
   const TableLayout layout = DetectTable(format, options, text);
-  if (layout.EndsLines)
-  {
-    CheckNotCut(text);
-  }
+  CheckNotCut(text, layout.Ends, layout.Between);
   progress.SetRange(0.2, 0.3);
   const auto chunks = CutIntoChunks(text, RowKind::Data, options.ChunkSize, 0, progress);
   if (options.Columns.empty())

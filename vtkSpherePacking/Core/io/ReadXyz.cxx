@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/GivenColumns.h"
 #include "io/LineCursor.h"
+#include "io/NameMeaning.h"
 #include "io/PackingFileError.h"
 #include "io/PackingFormats.h"
 #include "io/StepRows.h"
@@ -123,6 +124,10 @@ public:
       throw ContentError(
         "found no positions in Properties=" + this->Quoted() + ", expected " + Wanted);
     }
+    if (!has(ColumnRole::Radius) && !has(ColumnRole::Diameter))
+    {
+      this->FindOtherSize();
+    }
     if (has(ColumnRole::Radius))
     {
       for (Column& column : this->Columns)
@@ -133,7 +138,61 @@ public:
     return std::move(this->Columns);
   }
 
+  /// The name of a radius or diameter of three components, if that is what there is; call it after
+  /// Take().
+  const std::string& SizeOfThree() const { return this->Three; }
+
 private:
+  /// A property of real or whole numbers.
+  struct Property
+  {
+    std::string Name;
+    std::size_t First;
+    int Count;
+    NameMeaning Meaning;
+  };
+
+  // A radius or diameter by another name than the usual ones: r, d, particle_radius, or one of
+  // three components, as glyphs have it.
+  void FindOtherSize()
+  {
+    const auto any = [&](auto&& which)
+    { return std::any_of(this->Numeric.begin(), this->Numeric.end(), which); };
+    const auto means = [&](NameMeaning::Kind kind)
+    { return any([kind](const Property& p) { return p.Count == 1 && p.Meaning.What == kind; }); };
+    const bool otherR = means(NameMeaning::PolarAngle) || means(NameMeaning::Azimuth) ||
+      (means(NameMeaning::Green) && means(NameMeaning::Blue));
+    const auto isSize = [&](const Property& p, NameMeaning::Kind kind)
+    {
+      return p.Meaning.What == kind && p.Meaning.Unit.empty() &&
+        (p.Count == 1 || (p.Count == 3 && p.Meaning.IsFullWord)) && !(p.Meaning.IsLetter && otherR);
+    };
+    for (const auto kind : { NameMeaning::Radius, NameMeaning::Diameter })
+    {
+      const Property* found = nullptr;
+      for (const Property& property : this->Numeric)
+      {
+        if (!isSize(property, kind))
+        {
+          continue;
+        }
+        if (found)
+        {
+          throw ContentError("found " + found->Name + " and " + property.Name +
+            " in Properties=" + this->Quoted() + ", either of which may be the size, expected one");
+        }
+        found = &property;
+      }
+      if (found)
+      {
+        this->Columns[found->First].Role =
+          kind == NameMeaning::Radius ? ColumnRole::Radius : ColumnRole::Diameter;
+        this->Three = found->Count == 3 ? found->Name : "";
+        return;
+      }
+    }
+  }
+
   std::string Quoted() const
   {
     return Quote(this->Properties.data(), this->Properties.data() + this->Properties.size());
@@ -168,6 +227,10 @@ private:
       this->Refuse();
     }
     const ColumnRole role = RoleOf(name, type, count);
+    if (role == ColumnRole::Extra)
+    {
+      this->Numeric.push_back({ name, this->Columns.size(), count, MeaningOfName(name) });
+    }
     for (int i = 0; i < count; ++i)
     {
       const bool isCenter = role == ColumnRole::X;
@@ -180,8 +243,32 @@ private:
 
   const std::string& Properties;
   std::vector<Column> Columns;
+  std::vector<Property> Numeric;
+  std::string Three;
   std::set<std::string> Seen;
 };
+
+// Makes three components one radius: throws unless they are equal.
+void JoinComponents(PackingArrays& arrays, const std::string& name, bool areDiameters)
+{
+  for (const char* const end : { "_1", "_2" })
+  {
+    const double* const other = arrays.FindExtra(name + end);
+    const double half = areDiameters ? 0.5 : 1.0;
+    for (vtkIdType i = 0; i < arrays.GetCount(); ++i)
+    {
+      const bool equal = other && arrays.IsSingle()
+        ? arrays.Radii<float>()[i] == static_cast<float>(half * other[i])
+        : other && arrays.Radii<double>()[i] == half * other[i];
+      if (!equal)
+      {
+        throw ContentError("found different components of '" + name + "' of atom " +
+          std::to_string(i + 1) + ", expected three that are equal, or one");
+      }
+    }
+    arrays.RemoveExtra(name + end);
+  }
+}
 
 // Plain XYZ: a species, x, y, z, and what nobody names.
 std::vector<Column> PlainColumns(const std::vector<std::string_view>& row)
@@ -204,9 +291,11 @@ std::string ColumnsHint(const std::vector<std::string_view>& row)
       "x y z r\" (--columns) if the columns are these";
 }
 
-TableLayout ReadLayout(const FrameHead& head, const ReadOptions& options)
+// Sets `three` to the name of a size of three components.
+TableLayout ReadLayout(const FrameHead& head, const ReadOptions& options, std::string& three)
 {
   TableLayout layout;
+  three.clear();
   layout.Between = Separators::Blanks();
   const TextRange rows = head.Lines.Rest();
   const auto row = FirstRow(rows);
@@ -214,7 +303,9 @@ TableLayout ReadLayout(const FrameHead& head, const ReadOptions& options)
   if (properties)
   {
     constexpr std::size_t withoutAtoms = 1000;
-    layout.Columns = PropertyColumns(*properties, row.empty() ? withoutAtoms : row.size()).Take();
+    PropertyColumns columns(*properties, row.empty() ? withoutAtoms : row.size());
+    layout.Columns = columns.Take();
+    three = columns.SizeOfThree();
   }
   else
   {
@@ -240,24 +331,25 @@ PackingArrays ParseXyz(
   while (!HasHead(blocks.Text()) && blocks.Grow())
   {
   }
-  // People write plain files of one frame, too, and may leave out the last line end.
-  bool mustEndLines = step.Begin > 0;
+  // People write plain files of one frame, too.
+  LineEnds ends = step.Begin > 0 ? LineEnds::ByProgram : LineEnds::ByPeople;
   TableLayout layout;
+  std::string three;
   std::optional<SimulationCell> cell;
   const FrameHead head = blocks.AddLines(
     [&]
     {
-      if (mustEndLines && blocks.IsLast())
+      if (ends == LineEnds::ByProgram && blocks.IsLast())
       {
         CheckNotCut(blocks.Text());
       }
       const FrameHead found = ReadHead(blocks.Text());
       try
       {
-        layout = ReadLayout(found, options);
+        layout = ReadLayout(found, options, three);
         const XyzComment comment(found.Lines.Line());
         cell = comment.Cell();
-        mustEndLines = mustEndLines || comment.Properties();
+        ends = comment.Properties() ? LineEnds::ByProgram : ends;
       }
       catch (const ContentError& error)
       {
@@ -266,8 +358,21 @@ PackingArrays ParseXyz(
       return found;
     });
   StepRows rows{ head.Lines.Rest().Begin, head.Count, head.CountLine, "atoms" };
-  rows.MustEndLines = mustEndLines;
+  rows.Ends = ends;
   PackingArrays arrays = ReadStepRows(blocks, rows, layout, options, progress);
+  if (!three.empty())
+  {
+    const bool areDiameters = std::any_of(layout.Columns.begin(), layout.Columns.end(),
+      [](const Column& column) { return column.Role == ColumnRole::Diameter; });
+    try
+    {
+      JoinComponents(arrays, three, areDiameters);
+    }
+    catch (const ContentError& error)
+    {
+      throw LineError(blocks.LinesBefore(step.Begin) + head.CountLine + 1, error.what());
+    }
+  }
   if (cell)
   {
     arrays.SetCell(*cell);

@@ -28,9 +28,9 @@ vtkIdType ParseBlocks(LineBlocks& blocks, const StepRows& rows, unsigned long lo
     blocks.AddLines(
       [&]
       {
-        if (rows.MustEndLines && blocks.IsLast() && !ended)
+        if (blocks.IsLast() && !ended)
         {
-          CheckNotCut(text);
+          CheckNotCut(text, rows.Ends, parser.Layout().Between);
         }
         const auto chunks = CutIntoChunks(text, RowKind::Data, options.ChunkSize, count, silent);
         count = std::max(count, CountRows(chunks));

@@ -3,6 +3,7 @@
 #define StepRows_h
 
 #include "bridge/PackingArrays.h"
+#include "io/CutFile.h"
 #include "io/LineBlocks.h"
 #include "io/PackingFormats.h"
 #include "io/TableLayout.h"
@@ -17,9 +18,9 @@ struct StepRows
 {
   const char* Begin; ///< in the current block
   vtkIdType Count;
-  vtkIdType CountLine;       ///< the line of the block that holds the count
-  const char* Things;        ///< of which there are so many, such as "atoms"
-  bool MustEndLines = false; ///< whether what ends without a line end was cut
+  vtkIdType CountLine; ///< the line of the block that holds the count
+  const char* Things;  ///< of which there are so many, such as "atoms"
+  LineEnds Ends = LineEnds::ByProgram;
   /// Where the rows that begin a text end, if they do.
   std::function<const char*(const TextRange&)> End = [](const TextRange& text) { return text.End; };
 };

@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/TableDetector.h"
 
+#include "io/DiameterWords.h"
 #include "io/FitComments.h"
 #include "io/GivenColumns.h"
 #include "io/NameLists.h"
 #include "io/NameMeaning.h"
 #include "io/NamelessColumns.h"
 #include "io/PackingFileError.h"
+#include "io/RemarksOnSize.h"
 #include "io/SizeComponents.h"
 #include "io/TableHead.h"
+#include "io/UnitsOfRemark.h"
 #include "io/UnnamedIndex.h"
+#include "io/UsualForms.h"
 
 #include <algorithm>
 #include <set>
@@ -129,11 +133,12 @@ private:
     if (!this->TakeYadeFormat(fields.size()) && !this->TakeComments(fields.size()))
     {
       this->CheckProse();
+      this->CheckPlainRemarks(fields.size());
       this->Layout.Columns = NamelessColumns(this->FormatIs, this->Text, row, this->RadiiAre);
     }
     MarkTextColumns(this->Layout, row.Begin);
     this->Layout.Cell = this->Head.Cell;
-    this->Layout.EndsLines = this->Head.EndsLines;
+    this->Layout.Ends = this->FormatIs == Format::Xyzr ? LineEnds::ByProgram : this->Head.Ends;
   }
 
   // Excel's first line "sep=;" says what separates fields, which the header shows, too.
@@ -211,8 +216,8 @@ private:
     }
   }
 
-  // A header of one name fewer than the `count` columns, if their first is an index: pandas'
-  // to_string and R's write.table give it no name. False if the names do not fit so.
+  // A header of one name fewer than the `count` columns, of which the first must be an index:
+  // pandas' to_string and R's write.table give it no name. False if there are not so many names.
   bool TakeIndexedHeader(std::size_t count)
   {
     const TextRange& header = this->Head.Row;
@@ -228,21 +233,19 @@ private:
       fit.What = columns && fit.Complaint.empty() ? NamesFit::Fits : NamesFit::NoNames;
       fit.Columns = columns ? std::move(*columns) : std::vector<Column>();
     }
-    const UnnamedIndex index = fit.What == NamesFit::Fits
-      ? FindIndex(this->Text, between, this->Indent)
-      : UnnamedIndex::None;
-    if (index == UnnamedIndex::None)
+    if (fit.What != NamesFit::Fits)
     {
       return false;
     }
-    if (index == UnnamedIndex::Possible)
+    const UnnamedIndex index = FindIndex(this->Text, between, this->Indent);
+    if (index != UnnamedIndex::Certain)
     {
       throw LineError(header.FirstLine,
         "found the " + std::to_string(count - 1) + " names " + QuoteLine(header) +
-          " over rows of " + std::to_string(count) +
-          " columns, of which the first may be an index without a name, expected a name for each "
-          "column, or " +
-          ColumnsHint);
+          " over rows of " + std::to_string(count) + " columns" +
+          (index == UnnamedIndex::Possible ? ", of which the first may be an index without a name"
+                                           : "") +
+          ", expected a name for each column, or " + HintFor(count));
     }
     fit.Columns.insert(fit.Columns.begin(), Column{ ColumnRole::Skipped, "-" });
     this->Layout.Columns = std::move(fit.Columns);
@@ -353,8 +356,15 @@ private:
       this->Layout.Named = Naming::None;
       return false;
     }
-    this->Layout.Named =
-      fit.OneEach || HasTwoUnits(View(fit.Line)) ? Naming::All : this->FirstFour(fit.Line, count);
+    if (!fit.OneEach && !HasTwoUnits(View(fit.Line)))
+    {
+      this->Layout.Named = this->FirstFour(View(fit.Line), count);
+      const auto forms = UsualForms(View(fit.Line), count);
+      for (std::size_t i = 0; i < forms.size() && this->Layout.Named == Naming::All; ++i)
+      {
+        this->Layout.Named = this->FirstFour(forms[i], count);
+      }
+    }
     if (this->Layout.Named != Naming::All)
     {
       return false;
@@ -367,7 +377,7 @@ private:
   {
     if (!complaint.empty())
     {
-      throw LineError(line.FirstLine, complaint + ", or " + ColumnsHint);
+      throw LineError(line.FirstLine, complaint + ", or " + HintFor(count));
     }
     this->ThrowUnclear(line, count);
   }
@@ -376,15 +386,15 @@ private:
   {
     throw LineError(line.FirstLine,
       "found the names " + QuoteLine(line) + " over rows of " + std::to_string(count) +
-        " columns, expected a name for each column, or " + ColumnsHint);
+        " columns, expected a name for each column, or " + HintFor(count));
   }
 
   // What a comment that does not name all columns, and only them, says of the first four, or All if
   // that is not certain. With words before or between x, y, z and radius, or without the radius,
   // the rows must have four columns.
-  static Naming FirstFour(const TextRange& line, std::size_t count)
+  static Naming FirstFour(std::string_view line, std::size_t count)
   {
-    const Fields words = NameWords(View(line));
+    const Fields words = NameWords(line);
     std::string complaint;
     const auto columns = ColumnsFromNames(words, complaint, Radii::Optional);
     const auto roles = columns ? *columns : std::vector<Column>();
@@ -407,12 +417,14 @@ private:
     for (const std::string_view word : words)
     {
       lengths.insert(LengthUnit(word));
+      lengths.insert(MeaningOfName(word).Unit);
     }
     lengths.erase("");
     const bool noRadius = sphere.size() == 3 &&
       (sphere.size() == words.size() || ColumnsFromNames(words, complaint)); // r may be red
     const bool atOnce = sphere.size() == 4 && sphere[3] == 3;
-    if (AreNumbered(View(line)) || sphere.size() < 3 || noRadius || lengths.size() > 1)
+    if (AreNumbered(line) || sphere.size() < 3 || noRadius || lengths.size() > 1 ||
+      SpeaksOfDiameter(line))
     {
       return Naming::All;
     }
@@ -422,6 +434,21 @@ private:
     }
     return count == 4 && !IsIdName(roles[sphere[0] - 1].Name) ? Naming::FourAfterWords
                                                               : Naming::All;
+  }
+
+  // Throws if remarks before the rows or in the first say that the fourth column is no radius.
+  void CheckPlainRemarks(std::size_t count) const
+  {
+    if (this->Layout.Named == Naming::FirstFour || this->RadiiAre == Radii::Optional)
+    {
+      return;
+    }
+    CheckRemarks(this->Head.Comments, count);
+    const TextRange& row = this->Head.Row;
+    if (const char* const remark = std::find(row.Begin, row.End, '#'); remark != row.End)
+    {
+      CheckNoDiameter({ remark, row.End, row.FirstLine }, count);
+    }
   }
 
   // Throws if the first row is a sentence.

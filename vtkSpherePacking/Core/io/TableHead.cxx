@@ -24,7 +24,13 @@ void ReadYadeLine(const TextRange& comment, TableHead& head)
   const auto fields = Separators::Liberal().Split(comment.Begin + 1);
   if (fields.size() >= 2 && fields[0] == "format" && fields[0].data() == comment.Begin + 1)
   {
+    if (fields.size() > 2)
+    {
+      throw LineError(comment.FirstLine,
+        "found " + Quote(comment.Begin, comment.End) + ", expected #format and one word");
+    }
     head.YadeNames = fields[1];
+    head.Ends = LineEnds::ByProgram;
   }
   constexpr std::string_view periodic = "##PERIODIC::";
   const std::string_view line = View(comment);
@@ -33,8 +39,9 @@ void ReadYadeLine(const TextRange& comment, TableHead& head)
     return;
   }
   head.YadeNames = head.YadeNames.empty() ? "x_y_z_r_attrs" : head.YadeNames;
+  head.Ends = LineEnds::ByProgram;
   SimulationCell cell{};
-  const auto edges = Separators::Liberal().Split(comment.Begin + periodic.size());
+  const auto edges = Separators::Blanks().Split(comment.Begin + periodic.size());
   for (std::size_t i = 0; i < 3; ++i)
   {
     double& edge = cell.Vectors[i][i];

@@ -3,6 +3,7 @@
 #define TableHead_h
 
 #include "bridge/PackingArrays.h"
+#include "io/CutFile.h"
 #include "io/TextLines.h"
 
 #include <optional>
@@ -17,7 +18,7 @@ struct TableHead
   std::vector<TextRange> Comments;    ///< without blank ones
   std::string_view YadeNames;         ///< the field after #format of YADE, or empty
   std::optional<SimulationCell> Cell; ///< after ##PERIODIC:: of YADE, or of IMD
-  bool EndsLines = false;             ///< whether its program ends every line
+  LineEnds Ends = LineEnds::ByPeople;
   TextRange Row{ nullptr, nullptr, 0 };
 };
 

@@ -4,6 +4,7 @@
 
 #include "bridge/PackingArrays.h"
 #include "io/ColumnNames.h"
+#include "io/CutFile.h"
 #include "io/Separators.h"
 #include "io/TableColumn.h"
 #include "io/TextChunks.h"
@@ -32,7 +33,7 @@ struct TableLayout
   std::string Expected;              ///< describes the columns, for messages
   Naming Named = Naming::All;
   std::optional<SimulationCell> Cell; ///< that of the packing, where the header gives one
-  bool EndsLines = false;             ///< whether the program ends every line
+  LineEnds Ends = LineEnds::ByPeople;
 };
 
 /// Makes those further columns text that hold anything but a number in the row at `p`; an empty

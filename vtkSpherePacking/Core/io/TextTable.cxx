@@ -206,23 +206,6 @@ void CheckNoShortRow(const TextRange& text, const TableLayout& layout)
 }
 
 //------------------------------------------------------------------------------
-void CheckNotCut(const TextRange& rows)
-{
-  const char* last = rows.End;
-  if (last == rows.Begin || IsLineEnd(last[-1]))
-  {
-    return;
-  }
-  while (last != rows.Begin && !IsLineEnd(last[-1]))
-  {
-    --last;
-  }
-  throw LineError(rows.FirstLine + CountLineEnds(rows.Begin, last),
-    "found the end of the file within the row " + Quote(last, rows.End) +
-      ", expected a line end after every row");
-}
-
-//------------------------------------------------------------------------------
 void CheckCount(vtkIdType count, const char* things, vtkIdType line, vtkIdType rows)
 {
   if (rows != count)

@@ -51,10 +51,6 @@ PackingArrays ParseTable(const char* textEnd, const TableLayout& layout,
 /// Throws if a row of the text has too few columns.
 void CheckNoShortRow(const TextRange& text, const TableLayout& layout);
 
-/// Throws if the text ends without a line end, from a program that ends every row with one: it was
-/// stopped, perhaps within a number.
-void CheckNotCut(const TextRange& rows);
-
 /// Throws unless there are as many rows, "atoms" say, as the file says in `line`.
 void CheckCount(vtkIdType count, const char* things, vtkIdType line, vtkIdType rows);
 }

@@ -4,23 +4,31 @@
 
 #include "io/TimeSteps.h"
 
+#include <array>
+
 namespace spherepacking
 {
 /**
  * Caches the time steps of a file, so that an animation does not scan the whole file again, as long
- * as its format, name, size and time of modification stay the same.
+ * as its format, its name and what the system says of it stay the same.
  */
 class TimeStepCache
 {
 public:
   /// The steps of `file`, from the cache if they are there.
-  const TimeSteps& Find(Format format, const std::string& file);
+  const TimeSteps& Find(Format format, const std::string& file, Progress& progress);
 
 private:
+  /// Device, number of the inode, size, and seconds and nanoseconds of the last modification of
+  /// content and inode, which a program may not set.
+  using Stamp = std::array<long long, 7>;
+
+  static Stamp StampOf(const std::string& file);
+
   Format FormatOfFile = Format::Auto;
   std::string File;
-  unsigned long long Size = 0;
-  long ModifiedTime = 0;
+  Stamp StampOfFile{};
+  bool IsSettled = false; ///< whether a later change would have another stamp
   std::optional<TimeSteps> Steps;
 };
 }

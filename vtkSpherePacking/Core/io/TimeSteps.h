@@ -47,9 +47,9 @@ bool HasSteps(Format format);
 
 /// Finds the steps of `file`, one function per format that has them. A last step that was cut
 /// before it says what it is, since the run was stopped, is left out if there are others.
-std::vector<TimeStep> FindDumpSteps(const std::string& file);
-std::vector<TimeStep> FindXyzSteps(const std::string& file);
-std::vector<TimeStep> FindMercurySteps(const std::string& file);
+std::vector<TimeStep> FindDumpSteps(const std::string& file, Progress& progress);
+std::vector<TimeStep> FindXyzSteps(const std::string& file, Progress& progress);
+std::vector<TimeStep> FindMercurySteps(const std::string& file, Progress& progress);
 }
 
 #endif

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/ToolkitTree.h"
 
+#include "io/CutFile.h"
 #include "io/LineScanner.h"
 #include "io/PackingFileError.h"
 #include "io/PackingFormats.h"

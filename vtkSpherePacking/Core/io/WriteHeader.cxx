@@ -18,6 +18,9 @@ namespace spherepacking
 {
 namespace
 {
+// Up to which a double counts, and a file of another program holds.
+constexpr double LargestStep = 9007199254740992.0;
+
 std::string JoinColumns(const std::vector<WrittenArray>& arrays, const char* separator)
 {
   std::string text;
@@ -71,9 +74,14 @@ std::string JoinNumbers(const double* values, int count)
 std::string DumpHeader(const WriteOptions& options, const std::vector<WrittenArray>& arrays)
 {
   const std::optional<SimulationCell> cell = CellOf(options);
-  return "ITEM: TIMESTEP\n" + NumberText(TimeOf(options).value_or(0.0)) +
-    "\nITEM: NUMBER OF ATOMS\n" + std::to_string(options.Packing->GetNumberOfPoints()) + '\n' +
-    (cell ? BoxOfCell(*cell) : "") + "ITEM: ATOMS " + JoinColumns(arrays, " ") + '\n';
+  const double time = TimeOf(options).value_or(0.0);
+  // Steps are counted: LAMMPS and others read whole numbers there. A reader that knows ITEM: TIME
+  // takes that.
+  const bool isStep = time == std::floor(time) && std::abs(time) <= LargestStep;
+  return (isStep ? "" : "ITEM: TIME\n" + NumberText(time) + '\n') + "ITEM: TIMESTEP\n" +
+    NumberText(isStep ? time : 0.0) + "\nITEM: NUMBER OF ATOMS\n" +
+    std::to_string(options.Packing->GetNumberOfPoints()) + '\n' + (cell ? BoxOfCell(*cell) : "") +
+    "ITEM: ATOMS " + JoinColumns(arrays, " ") + '\n';
 }
 
 // Of extended XYZ: KEY=VALUE, and NAME:TYPE:COLUMNS of each array, of the types S for texts, I for

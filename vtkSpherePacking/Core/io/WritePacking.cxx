@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 namespace spherepacking
 {
@@ -108,9 +109,9 @@ void WriteSpheres(const WriteOptions& options, const std::vector<WrittenArray>& 
 }
 
 // The reader would multiply the diameters by the scale of an .nfo file beside the file.
-void CheckDiameterScale(const std::string& file)
+void CheckDiameterScale(const std::string& file, std::optional<vtkIdType> count)
 {
-  const double scale = DiameterScale(file);
+  const double scale = DiameterScale(file, count);
   if (scale != 1.0)
   {
     throw PackingFileError(vtkErrorCode::CannotOpenFileError,
@@ -119,7 +120,7 @@ void CheckDiameterScale(const std::string& file)
   }
 }
 
-void CheckFormat(const std::string& file, Format kind)
+void CheckFormat(const std::string& file, Format kind, std::optional<vtkIdType> count)
 {
   if (!((kind >= Format::Spheres && kind <= Format::Dump) || kind == Format::Xyz))
   {
@@ -130,7 +131,7 @@ void CheckFormat(const std::string& file, Format kind)
   }
   if (kind == Format::Xyzd)
   {
-    CheckDiameterScale(file);
+    CheckDiameterScale(file, count);
   }
 }
 }
@@ -138,14 +139,14 @@ void CheckFormat(const std::string& file, Format kind)
 //------------------------------------------------------------------------------
 void CheckWritable(const std::string& file, Format kind)
 {
-  CheckFormat(file, kind);
+  CheckFormat(file, kind, std::nullopt);
   const AtomicFile target(file);
 }
 
 //------------------------------------------------------------------------------
 void WritePacking(const std::string& file, const WriteOptions& options, Progress& progress)
 {
-  CheckFormat(file, options.Kind);
+  CheckFormat(file, options.Kind, options.Packing->GetNumberOfPoints());
   const auto write = [&]
   {
     const std::vector<WrittenArray> arrays = ChooseArrays(options);
