@@ -13,7 +13,6 @@ from typing import NamedTuple
 import numpy as np
 import OpenImageIO as oiio
 
-from ..printable import printable
 from .replace import check_replaceable, replace_file
 
 _FORMATS = {
@@ -45,13 +44,12 @@ class ImageDifference(NamedTuple):
 
 def _create(path: Path) -> oiio.ImageOutput:
     check_replaceable(path)
-    shown = printable(str(path))
     output = oiio.ImageOutput.create(f"picture{path.suffix}")
     if output is None:
         reason = oiio.geterror().strip()
-        raise ValueError(f"{shown}: no picture format of that extension can be written: {reason}")
+        raise ValueError(f"{path}: no picture format of that extension can be written: {reason}")
     if output.format_name() in ("null", "term"):
-        raise ValueError(f"{shown}: no picture format of that extension can be written to a file")
+        raise ValueError(f"{path}: no picture format of that extension can be written to a file")
     return output
 
 
@@ -129,7 +127,6 @@ def _write_whole(
     In C++ OpenImageIO writes to memory by itself, but its Python module has no IOProxy:
     https://github.com/AcademySoftwareFoundation/OpenImageIO/pull/1931.
     """
-    shown = printable(str(path))
     # Upstream: OpenImageIO 3.2's writer of JPEG 2000 goes by the extension of the file that it
     # opens, and writes nothing without one, so the memory needs a name that has it.
     with TemporaryDirectory() as folder, os.fdopen(os.memfd_create("picture"), "rb") as memory:
@@ -138,18 +135,18 @@ def _write_whole(
             os.truncate(memory.fileno(), 2 * pixels.nbytes + 65536)
             os.truncate(memory.fileno(), 0)
         except OSError as error:
-            raise OSError(f"{shown}: the picture cannot be written ({error.strerror})") from error
+            raise OSError(f"{path}: the picture cannot be written ({error.strerror})") from error
         name = Path(folder, f"picture{path.suffix}")
         name.symlink_to(f"/proc/self/fd/{memory.fileno()}")
         written = output.open(str(name), spec) and output.write_image(pixels)
         # Closing flushes, so it is part of writing and may fail as well.
         if not (output.close() and written):
-            raise OSError(f"{shown}: the picture cannot be written: {output.geterror().strip()}")
+            raise OSError(f"{path}: the picture cannot be written: {output.geterror().strip()}")
         try:
             read_image(name)
         except OSError:
             raise OSError(
-                f"{shown}: the picture cannot be written: what was encoded cannot be read back"
+                f"{path}: the picture cannot be written: what was encoded cannot be read back"
             ) from None
         replace_file(path, memory.read())
 

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 from ..printable import printable
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Buffer, Iterator
     from typing import BinaryIO
 
 _PART = re.compile(r"\.spherepacking-[0-9a-f]{16}\.part")
@@ -66,14 +66,14 @@ def check_replaceable(path: Path) -> Path:
     return target
 
 
-def replace_file(path: Path, data: bytes) -> None:
+def replace_file(path: Path, data: Buffer) -> None:
     """Write a file that takes the place of an earlier one when it is complete.
 
     Parameters
     ----------
     path : pathlib.Path
         Where the file is to be; links are followed.
-    data : bytes
+    data : bytes or another buffer
         Its contents.
 
     Raises

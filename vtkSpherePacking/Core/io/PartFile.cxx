@@ -14,6 +14,7 @@
 #include <random>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 namespace spherepacking
 {
@@ -134,13 +135,13 @@ void PartFile::Open(const std::string& folder, unsigned int permissions)
   constexpr int attempts = 16;
   for (int attempt = 0; file < 0 && attempt < attempts; ++attempt)
   {
-    const std::string name = AnyName(folder);
+    std::string name = AnyName(folder);
     file = open(name.c_str(), O_CREAT | O_EXCL | O_RDWR | O_CLOEXEC, permissions);
     if (file < 0)
     {
       return;
     }
-    this->Name = name;
+    this->Name = std::move(name);
     // Where a file system has no locks, nobody gets one to remove it either.
     flock(file, LOCK_EX);
     if (!IsThere(file))
@@ -151,7 +152,14 @@ void PartFile::Open(const std::string& folder, unsigned int permissions)
       errno = EAGAIN;
     }
   }
-  this->Opened = file < 0 ? nullptr : fdopen(file, "wb");
+  if (file >= 0)
+  {
+    this->Opened = fdopen(file, "wb");
+    if (!this->Opened)
+    {
+      close(file);
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -175,12 +183,12 @@ bool PartFile::TakeAnyName(const std::string& folder)
     return true;
   }
   const std::string open = "/proc/self/fd/" + std::to_string(fileno(this->Opened));
-  const std::string name = AnyName(folder);
+  std::string name = AnyName(folder);
   if (linkat(AT_FDCWD, open.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) != 0)
   {
     return false;
   }
-  this->Name = name;
+  this->Name = std::move(name);
   return true;
 }
 
