@@ -372,11 +372,17 @@ def test_a_crash_of_vtks_reader_is_an_error(tmp_path, monkeypatch):
 
 
 def test_a_reader_that_never_ends_is_an_error(tmp_path, monkeypatch):
+    path = written(tmp_path, "a.vtk", ["# vtk DataFile Version 5.1"])
+    monkeypatch.setattr(
+        "spherepacking.files.vtk_child._CODE",
+        "from spherepacking.files import vtk_child as c; c._SECONDS = 0.3;"
+        "c.hand_over_arrays(lambda path: [None for _ in iter(int, 1)])",
+    )
+    assert "found a file that VTK's reader does not come to an end with" in refusal(path)
     monkeypatch.setattr("spherepacking.files.vtk_child._CODE", "import time; time.sleep(99)")
     monkeypatch.setattr("spherepacking.files.vtk_child._SECONDS", 0.3)
-    assert "found a file on which VTK's reader has been for 0 s" in refusal(
-        written(tmp_path, "a.vtk", ["# vtk DataFile Version 5.1"])
-    )
+    monkeypatch.setattr("spherepacking.files.vtk_child._WAITING", 0.0)
+    assert "found a file that VTK's reader has not read in 0 s" in refusal(path)
 
 
 def test_memory_of_the_child_is_limited(tmp_path, monkeypatch):

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import io
+import math
 import os
 import resource
+import signal
 import subprocess
 import sys
+import time
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -19,9 +22,11 @@ from .surface_rows import refuse
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-# What a file may take, beside what is taken before: 64 times its bytes and the time of a slow disk.
+# What a file may take, beside what is taken before: 64 times its bytes, 2 s for 100 kB.
 _BYTES_PER_BYTE, _BYTES = 64, 1 << 30
-_BYTES_PER_SECOND, _SECONDS = 50_000, 60.0
+_BYTES_PER_SECOND, _SECONDS = 50_000, 5.0
+# Seconds that more may pass than the processor works, while libraries are loaded and for others.
+_WAITING = 120.0
 _CODE = "from spherepacking.files.vtk_surfaces import hand_over; hand_over()"
 _REFUSED = 3
 
@@ -44,7 +49,7 @@ def arrays_from_child(path: Path) -> dict[str, np.ndarray]:
     SurfaceFileError
         If it has refused the file, or has crashed, or has taken too long or too much memory.
     """
-    seconds = _SECONDS + path.stat().st_size / _BYTES_PER_SECOND
+    seconds = _SECONDS + _WAITING + path.stat().st_size / _BYTES_PER_SECOND
     try:
         # -P: nothing is imported from the folder where the user is.
         done = subprocess.run(
@@ -56,7 +61,9 @@ def arrays_from_child(path: Path) -> dict[str, np.ndarray]:
             check=False,
         )
     except subprocess.TimeoutExpired:
-        refuse(path, f"a file on which VTK's reader has been for {seconds:.0f} s", "a whole one")
+        refuse(path, f"a file that VTK's reader has not read in {seconds:.0f} s", "a whole one")
+    if done.returncode == -signal.SIGXCPU:
+        refuse(path, "a file that VTK's reader does not come to an end with", "a whole one")
     if done.returncode == _REFUSED:
         # The process was given an absolute path.
         sentence = done.stdout.decode().removeprefix(printable(str(path.absolute())))
@@ -82,6 +89,8 @@ def hand_over_arrays(read: Callable[[Path], dict[str, np.ndarray]]) -> None:
     most = _BYTES + _BYTES_PER_BYTE * path.stat().st_size + _taken()
     resource.setrlimit(resource.RLIMIT_DATA, (most, most))
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+    seconds = time.process_time() + _SECONDS + path.stat().st_size / _BYTES_PER_SECOND
+    resource.setrlimit(resource.RLIMIT_CPU, (math.ceil(seconds), math.ceil(seconds) + 5))
     with stdout:
         try:
             arrays = read(path)

@@ -78,15 +78,20 @@ def write(
     ``.spheres`` and ``.xyzr`` are text, ``.xyzd`` is binary, ``.txt`` is YADE's text, and ``.csv``
     also holds the other point arrays. A LAMMPS ``.dump`` and extended ``.xyz`` hold these, the cell
     and the time, and so do VTK's ``.vtp``, ``.vtu`` and ``.vtk``. A ``.spheres`` file has the
-    largest sphere first. Numbers read back exactly. ``packing.save(path)`` does the same, except
-    for ``.txt``.
+    largest sphere first. Numbers and names read back exactly; what would not, such as an integer
+    beyond 2**53 in text, is refused. ``packing.save(path)`` does the same, except for ``.txt``.
+
+    The file takes the place of an earlier one when it is complete, so that whatever happens the
+    name stands for the one or the other. It has the permissions and the group of the earlier one,
+    and the owner of any file that is written; links are followed, further hard links keep what the
+    earlier file held.
 
     Parameters
     ----------
     packing : pyvista.DataSet or pyvista.MultiBlock
         Its points are the centres (n, 3).
     path : str or os.PathLike
-        File to write. An existing file is replaced.
+        File to write. An existing file is replaced, but not a folder, pipe or device.
     radius : str, float, array_like or mapping, optional
         Radii, as in ``packing.packing.with_radius``; by default the point array ``radius``, or one
         that is called so.
@@ -98,7 +103,8 @@ def write(
     FileNotFoundError
         If the folder of `path` does not exist.
     PackingFileError
-        If the packing has no usable radii or the file cannot be written.
+        If the packing has no usable radii, or the format cannot hold an array as it is, or the file
+        cannot be written.
 
     Examples
     --------
