@@ -73,6 +73,34 @@ def kind_of(value: object) -> str:
     return f"{'an' if name[0] in 'AEIOaeio' else 'a'} {name}"
 
 
+def shown(value: object) -> str:
+    """`value` as it stands in a message: on one line, and not longer than 80 characters."""
+    if isinstance(value, np.ndarray) and value.ndim:
+        return f"an array of shape {value.shape}"
+    if hasattr(value, "GetClassName"):
+        return kind_of(value)
+    text = " ".join(repr(value).split())
+    return text if len(text) <= 80 else f"{text[:77]}..."
+
+
+def numbers_of(value: object) -> np.ndarray | None:
+    """`value` as an array of floats of any shape, or None if it is not made of numbers."""
+    if isinstance(value, str | bytes) or value is None:
+        return None
+    try:
+        array = np.asarray(value)
+        return array.astype(float) if array.dtype.kind in "iufO" else None
+    except (TypeError, ValueError, OverflowError):
+        return None
+
+
+def one_of(name: str, value: str, choices: Sequence[str]) -> str:
+    """`value` if it is one of the texts, or a ValueError."""
+    if not isinstance(value, str) or value not in choices:
+        raise ValueError(f"{name}: found {shown(value)}, expected one of {', '.join(choices)}")
+    return value
+
+
 def number_of(name: str, value: float, low: float, high: float) -> float:
     """`value` as a float from `low` to `high`, or a ValueError; neither text nor truth value."""
     real = isinstance(value, numbers.Real) and not isinstance(value, bool)
@@ -81,7 +109,9 @@ def number_of(name: str, value: float, low: float, high: float) -> float:
     except OverflowError:
         number = np.nan
     if not low <= number <= high:
-        raise ValueError(f"{name}: found {value!r}, expected a number from {low:g} to {high:g}")
+        raise ValueError(
+            f"{name}: found {shown(value)}, expected a number from {low:g} to {high:g}"
+        )
     return number
 
 
@@ -90,7 +120,7 @@ def above_zero(name: str, value: float) -> float:
     try:
         return number_of(name, value, np.finfo(float).tiny, np.inf)
     except ValueError:
-        raise ValueError(f"{name}: found {value!r}, expected a number above 0") from None
+        raise ValueError(f"{name}: found {shown(value)}, expected a number above 0") from None
 
 
 def _index_of(value: int) -> int | None:
@@ -105,7 +135,7 @@ def integer_of(name: str, value: int) -> int:
     """`value` as an integer, or a TypeError; neither text nor truth value."""
     index = _index_of(value)
     if index is None:
-        raise TypeError(f"{name}: found {value!r}, expected an integer")
+        raise TypeError(f"{name}: found {shown(value)}, expected an integer")
     return index
 
 
@@ -123,7 +153,7 @@ def count_of(name: str, value: int, least: int = 1, most: int = LARGEST_INT) -> 
     count = _index_of(value)
     if count is None or not least <= count <= most:
         raise (TypeError if count is None else ValueError)(
-            f"{name}: found {value!r}, expected an integer from {least} to {most}"
+            f"{name}: found {shown(value)}, expected an integer from {least} to {most}"
         )
     return count
 
@@ -131,7 +161,7 @@ def count_of(name: str, value: int, least: int = 1, most: int = LARGEST_INT) -> 
 def flag_of(name: str, value: bool) -> bool:
     """`value` as a truth value, or a TypeError."""
     if not isinstance(value, bool | np.bool_):
-        raise TypeError(f"{name}: found {value!r}, expected True or False")
+        raise TypeError(f"{name}: found {shown(value)}, expected True or False")
     return bool(value)
 
 
@@ -139,8 +169,10 @@ def size_of(name: str, value: Sequence[int], most: int) -> tuple[int, int]:
     """`value` as width and height of at most `most` pixels, or a TypeError or ValueError."""
     try:
         width, height = value
-    except (TypeError, ValueError):
-        raise ValueError(f"{name}: found {value!r}, expected width and height in pixels") from None
+    except (TypeError, ValueError, KeyError):
+        raise ValueError(
+            f"{name}: found {shown(value)}, expected width and height in pixels"
+        ) from None
     return count_of(name, width, most=most), count_of(name, height, most=most)
 
 
@@ -148,17 +180,18 @@ def size_of(name: str, value: Sequence[int], most: int) -> tuple[int, int]:
 def color_of(name: str, value: ColorLike) -> pv.Color: ...
 @overload
 def color_of(name: str, value: ColorLike | None) -> pv.Color | None: ...
-@overload
-def color_of(name: str, value: ColorLike | bool | None) -> pv.Color | bool | None: ...
-def color_of(name: str, value: ColorLike | bool | None) -> pv.Color | bool | None:
-    """`value` as a colour, or a ValueError; None and truth values stay as they are."""
-    if value is None or isinstance(value, bool):
+def color_of(name: str, value: ColorLike | None) -> pv.Color | None:
+    """`value` as a colour, or a ValueError; None stays."""
+    if value is None:
         return value
     try:
+        if isinstance(value, bool):
+            raise TypeError
         return pv.Color(value)
     except (TypeError, ValueError):
         raise ValueError(
-            f"{name}: found {value!r}, expected a colour: a name, #rrggbb or three or four numbers"
+            f"{name}: found {shown(value)}, "
+            "expected a colour: a name, #rrggbb or three or four numbers"
         ) from None
 
 

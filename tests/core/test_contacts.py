@@ -129,6 +129,12 @@ def test_a_negative_gap_asks_for_overlap():
     assert check(centers, [1, 1, 1], gap=-0.25).n_cells == 2
 
 
+@pytest.mark.parametrize("gap", [-1e3, -3.6e16, -1e25])
+def test_more_overlap_than_spheres_can_have(rng, gap):
+    lines = check(rng.uniform(-1, 1, (200, 3)), rng.uniform(0.1, 1, 200), gap)
+    assert lines.n_lines == 0
+
+
 def test_the_arrays_of_the_packing_ride_along():
     packing = packing_of([[0.0, 0, 0], [1, 0, 0]], [1.0, 1.0])
     packing["mass"] = [3.0, 4.0]

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import pyvista as pv
 
-from ..checks import index_in
+from ..checks import index_in, shown
 from ..printable import printable
 from ..vtk_tools import ErrorLog, errors_raised, progress_bar
 from .errors import PackingFileError
@@ -59,8 +59,9 @@ class SpherePackingReader(pv.BaseReader, pv.TimeReader):  # type: ignore[type-ar
         self._index = 0
 
     def _set_directory(self, directory: str) -> None:
-        shown = printable(directory)
-        raise IsADirectoryError(f"{shown}: found a directory, expected a file with a packing")
+        raise IsADirectoryError(
+            printable(f"{directory}: found a directory, expected a file with a packing")
+        )
 
     def _update_information(self) -> None:
         # Upstream: PyVista 0.49 calls this when a reader is made, and passes on no error of VTK.
@@ -76,7 +77,7 @@ class SpherePackingReader(pv.BaseReader, pv.TimeReader):  # type: ignore[type-ar
     @precision.setter
     def precision(self, precision: Literal["single", "double"]) -> None:
         if precision not in ("single", "double"):
-            raise ValueError(f"precision: found {precision!r}, expected 'single' or 'double'")
+            raise ValueError(f"precision: found {shown(precision)}, expected 'single' or 'double'")
         single = precision == "single"
         self.reader.SetOutputPointsPrecision(
             self.reader.SINGLE_PRECISION if single else self.reader.DOUBLE_PRECISION

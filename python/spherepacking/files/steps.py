@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Literal, overload
 import numpy as np
 import pyvista as pv
 
-from ..checks import index_in, integer_of
+from ..checks import index_in, integer_of, shown
 from ..datasets import centres_of
 from .errors import PackingFileError
 from .packing_file import CompressedFile, has_one_step, open_file
@@ -137,7 +137,7 @@ def steps(
     ...     print(packing.packing.volume)
     """
     if precision not in ("single", "double"):
-        raise ValueError(f"precision: found {precision!r}, expected 'single' or 'double'")
+        raise ValueError(f"precision: found {shown(precision)}, expected 'single' or 'double'")
     request = Request(radius, _columns_of(columns), precision, progress)
     entries = entries_of(path)
     if len(entries) == 1 and entries[0].time is None and len(entries[0].files) == 1:
@@ -276,7 +276,7 @@ class PackingSteps(Sequence[pv.PolyData]):
             there = f"one of {len(known)} from {min(known):g} to {max(known):g}, such as {near:g}"
         else:
             there = f"one of {', '.join(f'{t:g}' for t in known)}"
-        raise ValueError(f"time: found {time!r}, expected {there}, as {self._name} has")
+        raise ValueError(f"time: found {shown(time)}, expected {there}, as {self._name} has")
 
 
 class _Series:

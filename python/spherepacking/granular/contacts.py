@@ -66,7 +66,8 @@ def with_periodic(packing: pv.PolyData, periodic: bool | Sequence[bool] | None) 
     flags = np.asarray(periodic)
     if flags.dtype != bool or flags.shape not in ((), (3,)):
         raise TypeError(
-            f"periodic: found {periodic!r}, expected True, False or three of them for a, b and c"
+            f"periodic: found {checks.shown(periodic)}, "
+            "expected True, False or three of them for a, b and c"
         )
     if not flags.any() and "cell_vectors" not in packing.field_data:
         return packing

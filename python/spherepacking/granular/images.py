@@ -105,7 +105,9 @@ def with_ghosts(packing: pv.PolyData) -> pv.PolyData:
         low = np.where(cell.periodic, np.ceil(-fractions - reach), 0.0)
         high = np.where(cell.periodic, np.floor(1.0 - fractions + reach), 0.0)
         first, last = low.min(axis=0), high.max(axis=0)
-        if not np.prod(last - first + 1.0) <= _MOST_IMAGES:
+        with np.errstate(over="ignore"):
+            images = np.prod(last - first + 1.0)
+        if not images <= _MOST_IMAGES:
             raise ValueError(
                 f"cell_vectors: found spheres that need images from {first} to {last}, expected "
                 f"at most {_MOST_IMAGES} of each; wrap() moves spheres into the cell"

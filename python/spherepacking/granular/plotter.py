@@ -95,11 +95,12 @@ class GranularOfPlotter:
         self, packing: pv.PolyData, show_cell: bool | ColorLike
     ) -> tuple[pv.PolyData, pv.Color] | None:
         """The edges of the packing's cell and their colour, or None if they are not wanted."""
-        color = checks.color_of("show_cell", show_cell)
-        if color is None or color is False:
+        if show_cell is None or show_cell is False:
             return None
-        if color is True:
+        if show_cell is True:
             color = pv.Color(self.plotter.theme.outline_color)
+        else:
+            color = checks.color_of("show_cell", show_cell)
         return outline_of(cell_of(packing)), color
 
     def _show_cell(

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import pyvista as pv
 
-from ..checks import color_of, count_of, number_of
+from ..checks import color_of, count_of, number_of, numbers_of, shown
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -128,15 +128,15 @@ def _limits(clim: Sequence[float] | float | None) -> tuple[float, float] | None:
     """The range that was asked for, or a ValueError."""
     if clim is None:
         return None
-    try:
-        values = np.asarray(clim, dtype=float)
-    except (TypeError, ValueError):
+    values = numbers_of(clim)
+    if values is None:
         values = np.empty(0)
-    if values.ndim == 0:
+    elif values.ndim == 0:
         values = np.array([-values, values])
     if values.shape != (2,) or not np.isfinite(values).all() or values[0] > values[1]:
         raise ValueError(
-            f"clim: found {clim!r}, expected two finite numbers, the smaller one first, or one "
+            f"clim: found {shown(clim)}, "
+            "expected two finite numbers, the smaller one first, or one "
             "that is not negative"
         )
     return float(values[0]), float(values[1])
@@ -151,18 +151,21 @@ def _check_cmap(cmap: str | list[ColorLike]) -> None:
         else:
             return
     raise ValueError(
-        f"cmap: found {cmap!r}, expected the name of a colour map, a list of names of colours or a "
+        f"cmap: found {shown(cmap)}, "
+        "expected the name of a colour map, a list of names of colours or a "
         "LookupTable"
     )
 
 
 def _check_annotations(annotations: dict[float, str] | None) -> None:
     if not isinstance(annotations, dict | None):
-        raise TypeError(f"annotations: found {annotations!r}, expected a dict of numbers to texts")
+        raise TypeError(
+            f"annotations: found {shown(annotations)}, expected a dict of numbers to texts"
+        )
     for value, text in (annotations or {}).items():
         number_of("annotations", value, -np.inf, np.inf)
         if not isinstance(text, str):
-            raise TypeError(f"annotations: found {text!r} beside {value}, expected a text")
+            raise TypeError(f"annotations: found {shown(text)} beside {value}, expected a text")
 
 
 def _one_component(values: np.ndarray, component: int | None) -> np.ndarray:
@@ -172,7 +175,7 @@ def _one_component(values: np.ndarray, component: int | None) -> np.ndarray:
         isinstance(component, int | np.integer) and 0 <= component < columns
     ):
         raise ValueError(
-            f"component: found {component!r}, expected an integer from 0 to {columns - 1}"
+            f"component: found {shown(component)}, expected an integer from 0 to {columns - 1}"
         )
     if values.ndim == 1:
         return values

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pyvista as pv
 
-from ..checks import LARGEST_SPECULAR_POWER, number_of
+from ..checks import LARGEST_SPECULAR_POWER, number_of, shown
 
 if TYPE_CHECKING:
     from pyvista.plotting.themes import Theme
@@ -26,7 +26,7 @@ def property_of(
         if value is not None:
             number_of(name, value, 0.0, 1.0)
     if not (lighting is None or isinstance(lighting, (bool, np.bool_))):
-        raise ValueError(f"lighting: found {lighting!r}, expected True, False or None")
+        raise ValueError(f"lighting: found {shown(lighting)}, expected True, False or None")
     if specular_power is not None:
         number_of("specular_power", specular_power, 0.0, LARGEST_SPECULAR_POWER)
     return pv.Property(

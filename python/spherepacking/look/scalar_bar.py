@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 import pyvista as pv
 
+from ..checks import shown
+
 if TYPE_CHECKING:
     from .scalars import Scalars
 
@@ -72,7 +74,7 @@ def scalar_bar_of(
 
 def _check_names(args: dict[str, Any]) -> None:
     if not isinstance(args, dict):
-        raise TypeError(f"scalar_bar_args: found {args!r}, expected a dict")
+        raise TypeError(f"scalar_bar_args: found {shown(args)}, expected a dict")
     known = inspect.signature(pv.plotting.scalar_bars.ScalarBars.add_scalar_bar).parameters
     expected = sorted(known.keys() - _GIVEN)
     for name in args:
@@ -99,7 +101,7 @@ def _try(plotter: pv.BasePlotter, kwargs: dict[str, Any]) -> None:
     except (TypeError, ValueError, AttributeError) as error:
         reason = " ".join(str(error).split())
         raise ValueError(
-            f"scalar_bar_args: found {kwargs!r}, which PyVista does not take: {reason}"
+            f"scalar_bar_args: found {shown(kwargs)}, which PyVista does not take: {reason}"
         ) from error
     finally:
         trial.close()

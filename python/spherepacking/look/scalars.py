@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 import pyvista as pv
 
-from ..checks import per_sphere, storable
+from ..checks import flag_of, per_sphere, storable
 from ..packing import no_such_array
 
 if TYPE_CHECKING:
@@ -99,11 +99,13 @@ def scalars_of(
         name = _free_name(packing)
     if values is not None:
         values = _checked(values)
-    if rgb is None:
+    if rgb is not None:
+        rgb = flag_of("rgb", rgb)
+    else:
         rgb = isinstance(scalars, str) and means_colors(scalars)
     if rgb:
         _check_colors(values, packing.n_points)
-    return Scalars(values, name, bool(rgb), isinstance(scalars, str))
+    return Scalars(values, name, rgb, isinstance(scalars, str))
 
 
 def means_colors(name: str) -> bool:

@@ -18,6 +18,8 @@ import operator
 import numpy as np
 import pyvista as pv
 
+from ..checks import shown
+
 # The unit sphere around everything, two of radius 1/2, and two of the hexlet of radius 1/3.
 _START = np.array(
     [
@@ -127,7 +129,7 @@ def apollonian(levels: int) -> pv.PolyData:
     try:
         levels = operator.index(levels)
     except TypeError:
-        raise TypeError(f"levels: found {levels!r}, expected an integer") from None
+        raise TypeError(f"levels: found {shown(levels)}, expected an integer") from None
     if not 0 <= levels <= _MAX_LEVELS:
         raise ValueError(f"levels: found {levels}, expected 0 to {_MAX_LEVELS}")
     rows, level = _rows(levels)

@@ -43,28 +43,27 @@ def weights_of(weights: ArrayLike | None) -> list[float]:
     if weights is None:
         return []
     low, high = checks.WEIGHT_LIMITS
-    try:
-        values = np.atleast_1d(np.asarray(weights))
-    except ValueError:
-        values = np.empty((0, 0))
-    values = values.astype(float) if values.dtype.kind in "iuf" else np.empty((0, 0))
+    found = checks.numbers_of(weights)
+    values = np.empty(0) if found is None else np.atleast_1d(found)
     if values.ndim != 1 or not values.size or not ((values >= low) & (values <= high)).all():
-        raise ValueError(f"weights: found {weights!r}, expected numbers from {low:g} to {high:g}")
+        raise ValueError(
+            f"weights: found {checks.shown(weights)}, expected numbers from {low:g} to {high:g}"
+        )
     return values.tolist()
 
 
 def coloring_of(coloring: str | None) -> str | None:
     """`coloring` as one of COLORINGS or None, or a ValueError."""
-    if not (coloring is None or (isinstance(coloring, str) and coloring in COLORINGS)):
-        raise ValueError(f"coloring: found {coloring!r}, expected one of {', '.join(COLORINGS)}")
-    return coloring
+    return None if coloring is None else checks.one_of("coloring", coloring, COLORINGS)
 
 
 def threshold_of(threshold: float) -> float:
     """`threshold` as a finite number above 0, or a ValueError."""
     value = checks.above_zero("threshold", threshold)
     if value == np.inf:
-        raise ValueError(f"threshold: found {threshold!r}, expected a finite number above 0")
+        raise ValueError(
+            f"threshold: found {checks.shown(threshold)}, expected a finite number above 0"
+        )
     return value
 
 
@@ -76,11 +75,10 @@ def field_filter(
 
     if packing.n_points:
         check_radii(packing)
-    if not (isinstance(options.kernel, str) and options.kernel in KERNELS):
-        raise ValueError(f"kernel: found {options.kernel!r}, expected one of {', '.join(KERNELS)}")
+    kernel = checks.one_of("kernel", options.kernel, KERNELS)
     algorithm = vtkMetaballField()
     algorithm.SetInputData(packing)
-    algorithm.SetKernel(KERNELS.index(options.kernel))
+    algorithm.SetKernel(KERNELS.index(kernel))
     _set_grid(algorithm, options)
     if threshold is not None:
         algorithm.SetThreshold(threshold_of(threshold))
@@ -100,25 +98,33 @@ def _set_grid(algorithm: vtkMetaballField, options: FieldOptions) -> None:
     if dimensions is not None and spacing is None:
         counts = _broadcast(dimensions)
         if len(counts) != 3:
-            raise ValueError(f"dimensions: found {dimensions!r}, expected one or three integers")
+            raise ValueError(
+                f"dimensions: found {checks.shown(dimensions)}, expected one or three integers"
+            )
         algorithm.SetDimensions([checks.count_of("dimensions", n) for n in counts])
     elif dimensions is None and spacing is not None:
         steps = _broadcast(spacing)
         if len(steps) != 3:
-            raise ValueError(f"spacing: found {spacing!r}, expected one or three numbers")
+            raise ValueError(
+                f"spacing: found {checks.shown(spacing)}, expected one or three numbers"
+            )
         algorithm.SetSpacing([checks.above_zero("spacing", step) for step in steps])
     else:
         raise ValueError(
-            f"dimensions: found {dimensions!r} and spacing={spacing!r}, expected one of them"
+            f"dimensions: found {checks.shown(dimensions)} and spacing={checks.shown(spacing)}, "
+            "expected one of them"
         )
     if bounds is not None:
-        try:
-            box = np.asarray(bounds, dtype=float)
-        except (TypeError, ValueError):
-            box = np.empty(0)
-        if box.shape != (6,) or not np.isfinite(box).all() or (box[::2] > box[1::2]).any():
+        box = checks.numbers_of(bounds)
+        if (
+            box is None
+            or box.shape != (6,)
+            or not np.isfinite(box).all()
+            or (box[::2] > box[1::2]).any()
+        ):
             raise ValueError(
-                f"bounds: found {bounds!r}, expected x min, x max, y min, y max, z min and z max"
+                f"bounds: found {checks.shown(bounds)}, "
+                "expected x min, x max, y min, y max, z min and z max"
             )
         algorithm.SetModelBounds(box.tolist())
 
@@ -129,7 +135,8 @@ def _relative_error_of(value: float) -> float:
     error = checks.number_of("relative_error", value, 0.0, most)
     if 0.0 < error < least:
         raise ValueError(
-            f"relative_error: found {value!r}, expected a number from {least:g} to {most:g}, or 0 "
+            f"relative_error: found {checks.shown(value)}, "
+            f"expected a number from {least:g} to {most:g}, or 0 "
             "for sums sphere by sphere"
         )
     return error

@@ -97,7 +97,10 @@ class BoxesOfPacking:
         from ..backend import vtkSpherePackingBVH
 
         if boxes is not None and depth is not None:
-            raise ValueError(f"depth: found {depth!r} beside boxes={boxes!r}, expected one of them")
+            raise ValueError(
+                f"depth: found {checks.shown(depth)} beside boxes={checks.shown(boxes)}, "
+                "expected one of them"
+            )
         bvh = vtkSpherePackingBVH()
         if depth is not None:
             bvh.SetDepth(checks.count_of("depth", depth, least=0))

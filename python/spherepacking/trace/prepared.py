@@ -75,10 +75,7 @@ class PreparedTracer[Tracer: vtkSpherePackingTracer]:
         cuts: int | None = None,
     ) -> Tracer:
         """Check the arguments and hand them to the tracer."""
-        if structure not in STRUCTURES:
-            raise ValueError(
-                f"structure: found {structure!r}, expected one of {', '.join(STRUCTURES)}"
-            )
+        structure = checks.one_of("structure", structure, STRUCTURES)
         if cuts is not None:
             cuts = checks.count_of("cuts", cuts, least=0)
         size = checks.size_of("window_size", window_size, most=checks.LARGEST_TRACED_SIDE)
@@ -168,13 +165,15 @@ def camera_of(camera: CameraLike) -> vtkCamera:
     if isinstance(camera, vtkCamera):
         return camera
     try:
-        points = np.asarray([list(point) for point in camera], dtype=float)
-        position, focal_point, up = points.reshape(3, 3).tolist()
-    except (TypeError, ValueError):
+        points = checks.numbers_of([list(point) for point in camera])
+    except (TypeError, KeyError):
+        points = None
+    if points is None or points.shape != (3, 3):
         raise TypeError(
             f"camera: found {checks.kind_of(camera)}, expected a camera, or three points: its "
             "position, focal point and view-up"
-        ) from None
+        )
+    position, focal_point, up = points.tolist()
     if position == focal_point:
         raise ValueError(
             f"camera: found the position {position} at the focal point, expected another one"

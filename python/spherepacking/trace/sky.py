@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 import pyvista as pv
 
-from ..checks import RADIANCE_LIMITS, number_of
+from ..checks import RADIANCE_LIMITS, number_of, numbers_of, shown
 from ..files.image import read_image
 
 if TYPE_CHECKING:
@@ -96,7 +96,8 @@ def sky_of(sky: SkyLike) -> Sky:
         color = _radiance_of("sky", sky)
         return Sky(color, color)
     raise TypeError(
-        f"sky: found {sky!r}, expected a number, red, green and blue, two of either for the bottom "
+        f"sky: found {shown(sky)}, "
+        "expected a number, red, green and blue, two of either for the bottom "
         "and the top, an image (height, width, 3) or the file of one"
     )
 
@@ -106,15 +107,17 @@ def sun_of(sun: Sun | Sequence[float] | None) -> Sun | None:
     if sun is None:
         return None
     direction, radiance, diameter = sun if isinstance(sun, Sun) else Sun(sun)
-    try:
-        x, y, z = (float(number) for number in direction)
-    except (TypeError, ValueError):
+    numbers = numbers_of(direction)
+    if numbers is None or numbers.shape != (3,):
         raise TypeError(
-            f"sun: found {direction!r}, expected its direction, three numbers, or a Sun"
-        ) from None
+            f"sun: found {shown(direction)}, expected its direction, three numbers, or a Sun"
+        )
+    x, y, z = numbers.tolist()
     largest = max(abs(x), abs(y), abs(z))
     if not 0.0 < largest < np.inf:
-        raise ValueError(f"sun: found the direction {direction!r}, expected a finite one but 0")
+        raise ValueError(
+            f"sun: found the direction {shown(direction)}, expected a finite one but 0"
+        )
     return Sun(
         (x / largest, y / largest, z / largest),
         _radiance_of("sun", radiance),
@@ -124,13 +127,13 @@ def sun_of(sun: Sun | Sequence[float] | None) -> Sun | None:
 
 def _radiance_of(name: str, value: ArrayLike) -> tuple[float, float, float]:
     low, high = RADIANCE_LIMITS
-    try:
-        values = np.broadcast_to(np.asarray(value, dtype=float), 3)
-    except (TypeError, ValueError):
-        values = np.full(3, np.nan)
+    found = numbers_of(value)
+    known = found is not None and found.shape in ((), (1,), (3,))
+    values = np.broadcast_to(found, 3) if known else np.full(3, np.nan)
     if not ((values >= low) & (values <= high)).all():
         raise ValueError(
-            f"{name}: found {value!r}, expected a number from {low:g} to {high:g}, or three of "
+            f"{name}: found {shown(value)}, "
+            f"expected a number from {low:g} to {high:g}, or three of "
             "them for red, green and blue"
         )
     red, green, blue = values.tolist()

@@ -63,8 +63,10 @@ public:
     for (int other = level; other < this->Levels.LevelCount(); ++other)
     {
       const double largest = this->Levels.LargestRadius(other);
-      const double reach = sphere.Radius + std::max(this->Gap, 0.0) +
-        RelativeSlack * (largest + sphere.Radius + std::abs(this->Gap)) + this->Slack;
+      // No slack for a negative gap: one of more than the radii is beyond what any two have.
+      const double gap = std::max(this->Gap, 0.0);
+      const double reach =
+        sphere.Radius + gap + RelativeSlack * (largest + sphere.Radius + gap) + this->Slack;
       this->ForEachImage(sphere.Center, reach + largest,
         [&](const CellShift& shift)
         {
