@@ -194,3 +194,11 @@ def test_a_file_cut_anywhere(tmp_path, reader_for):
         if not reader.GetErrorMessage():  # cut where the velocities would begin
             assert whole[:length].endswith("0.75\n") or "Velocities" not in whole[:length]
             assert reader.GetOutput().GetPointData().GetArray("radius").GetTuple1(1) == 0.125
+
+
+def test_a_line_that_ends_with_a_comma(read_error, tmp_path):
+    """Of which the last field is empty, while it is looked for what the file may be."""
+    path = tmp_path / "p.dat"
+    path.write_text("1.5 2 3 4\n5 ,\n")
+    message, _ = read_error(path)
+    assert message.startswith(f"{path}, line 2: found ")

@@ -236,7 +236,7 @@ bool BeginsAsLammpsData(const char* begin, const char* end)
     // Before it there are only other lines of numbers with words after them.
     if (!fields.empty() &&
       (!ParseNumber(fields[0].data(), fields[0].data() + fields[0].size(), value) ||
-        !IsLetter(fields.back().front())))
+        fields.back().empty() || !IsLetter(fields.back().front())))
     {
       return false;
     }
