@@ -158,3 +158,14 @@ def test_a_traceback_is_harmless(tmp_path):
         )
         assert done.returncode == 1
         assert safe(done.stderr), ascii(done.stderr)
+
+
+def test_names_in_a_progress_bar(tmp_path, monkeypatch, capfd):
+    """Rich takes what stands in brackets for markup."""
+    path = tmp_path / f"[bold]{ODD}.spheres"
+    path.write_text("0 0 0 1\n" * 100_000)
+    monkeypatch.setattr("spherepacking.files.packing_file._BAR_DELAY", 0.0)
+    assert spherepacking.read(path, progress=True).n_points == 100_000
+    out, err = capfd.readouterr()
+    assert "\x1b[31m" not in out + err and "\u202e" not in out + err
+    assert "[bold]a" in err

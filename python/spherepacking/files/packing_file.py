@@ -111,7 +111,7 @@ class _PlainFile:
         reader.reader.Modified()
         delay = _BAR_DELAY if self._request.progress else None
         try:
-            with progress_bar(reader.reader, f"Reading {self._shown.name}", delay):
+            with progress_bar(reader.reader, f"Reading {printable(self._shown.name)}", delay):
                 packing = reader.read()
         except PackingFileError as error:
             sentence = what_else(self._path)
