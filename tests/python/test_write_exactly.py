@@ -68,6 +68,39 @@ def test_other_integers_are_refused(tmp_path, extension, value, kind):
     assert back["ids"].tolist() == [0, value, 1]
 
 
+@pytest.mark.parametrize("head", ["x,y,z,radius,id", "id x y z radius", None])
+def test_integers_of_others_that_double_precision_does_not_hold(tmp_path, head):
+    """Identifiers of 64 bits were rounded; they are kept as texts, whichever row they are in."""
+    ids = ["7", "2394307880636977758", "-9007199254740993", "+0018446744073709551615", "1e300"]
+    rows = [f"{i},2,3,4,{value}" for i, value in enumerate(ids)]
+    path = tmp_path / "a.csv"
+    if head is None:
+        path = tmp_path / "a.dump"
+        head = f"ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n{len(ids)}\nITEM: ATOMS x y z radius id"
+        rows = [row.replace(",", " ") for row in rows]
+    elif head.startswith("id"):
+        path = tmp_path / "a.txt"
+        rows = [f"{value} {i} 2 3 4" for i, value in enumerate(ids)]
+    path.write_text("\n".join([head, *rows, ""]))
+    assert spherepacking.read(path)["id"].tolist() == ids
+
+
+def test_large_numbers_are_numbers(tmp_path, rng):
+    """What double precision holds, and what is written with a point or an exponent."""
+    values = [2**53, 2**60, -(2**62), 3 * 2**70, 10**22, 2**1023, "1e300", "123456789012345678.5"]
+    values += ["2394307880636977758.", "2394307880636977758e0", "-0", "00000000000000000000000001"]
+    values += [int(v) for v in np.ldexp(rng.integers(2**52, 2**53, 200), rng.integers(0, 900, 200))]
+    path = tmp_path / "a.csv"
+    path.write_text("x,y,z,radius,a\n" + "".join(f"1,2,3,4,{value}\n" for value in values))
+    back = spherepacking.read(path)
+    assert back["a"].dtype == float
+    assert back["a"].tolist() == [float(value) for value in values]
+    mesh = pv.PolyData(np.zeros((500, 3)))
+    mesh["radius"] = np.ones(500)
+    mesh["a"] = np.ldexp(rng.integers(2**52, 2**53, 500), rng.integers(0, 900, 500))
+    np.testing.assert_array_equal(read_back(mesh, path)["a"], mesh["a"])
+
+
 # --- names ----------------------------------------------------------------------------------------
 
 
