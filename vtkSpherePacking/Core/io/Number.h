@@ -61,7 +61,8 @@ inline bool IsCount(double value)
 }
 
 /// Whether an integer is what its digits [begin, end) say, which doubles are not beyond 2^53: those
-/// of identifiers of 64 bits are others. True of numbers with a point or an exponent.
+/// of identifiers of 64 bits are others. True of numbers with a point or an exponent, and of those
+/// without digits.
 inline bool IsAsWritten(const char* begin, const char* end, double value)
 {
   if (!(std::abs(value) > 0x1p53))
@@ -71,7 +72,7 @@ inline bool IsAsWritten(const char* begin, const char* end, double value)
   const auto isDigit = [](char c) { return c >= '0' && c <= '9'; };
   begin = std::find_if(begin, end, isDigit);
   const char* const last = std::find_if_not(begin, end, isDigit);
-  if (last != end && (*last == '.' || *last == 'e' || *last == 'E'))
+  if (begin == last || (last != end && (*last == '.' || *last == 'e' || *last == 'E')))
   {
     return true;
   }
