@@ -32,7 +32,7 @@ CORE = PLAIN | {
     "io": ("base", "bridge"),
     "": (*PLAIN, "bridge", "io"),
 }
-RENDERING = {"impostor": (), "": ("impostor",)}
+RENDERING = {"impostor": (), "tiles": (), "": ("impostor", "tiles")}
 COMMENT = r"(?:/\*.*?\*/\s*)*"
 INCLUDE = re.compile(rf"""^\s*{COMMENT}#\s*{COMMENT}include\s*{COMMENT}([<"])([^>"]+)[>"]""")
 # What stands in angle brackets and is no header of the language or the system.

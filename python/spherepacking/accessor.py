@@ -17,6 +17,7 @@ from .packing import check_radii
 from .trace.boxes import BoxesOfPacking
 from .trace.path_trace import PathOptions, PathTracer
 from .trace.ray_cast import RayCaster
+from .vtk_tools import window_of
 
 if TYPE_CHECKING:
     import os
@@ -115,6 +116,30 @@ class PackingAccessor(BoxesOfPacking, GranularOfPacking, MetaballsOfPacking):
         with np.errstate(over="ignore"):
             return float(4.0 / 3.0 * np.pi * np.sum(np.asarray(self.radii, dtype=float) ** 3))
 
+    def modified(self) -> None:
+        """Say that numbers of the packing have been written to in a way that tells nobody.
+
+        What shows a packing for longer than a call keeps what it has made of it: :meth:`ray_cast`
+        and :meth:`pick` their structure, actors of a plotter and live pictures what they draw. They
+        show the packing as it was when its points or an array were last assigned, or written to by
+        ``packing["radius"][3] = 1`` or ``packing["radius"] *= 2``. NumPy tells nobody of other
+        writes: ``array *= 2``, ``array.sort()``, ``out=array``. After those call this method; until
+        then they show the whole packing as it was, and never a mixture. (Where all of an array has
+        changed, :meth:`ray_cast` and :meth:`pick` mostly find out; :meth:`path_trace` always does.)
+        Everything else, such as boxes, contacts and metaballs, takes the numbers that are there
+        when it is called.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> import spherepacking
+        >>> packing = spherepacking.apollonian(3)
+        >>> radii = np.asarray(packing["radius"])
+        >>> radii.flat[0] = 0.1
+        >>> packing.packing.modified()
+        """
+        self._spheres.modified()
+
     def with_radius(self, radius: RadiusLike | None = None) -> pv.PolyData:
         """Return the spheres as a PolyData with a point array ``radius``.
 
@@ -178,9 +203,8 @@ class PackingAccessor(BoxesOfPacking, GranularOfPacking, MetaballsOfPacking):
         Günther and Akenine-Möller, "Precision Improvements for Ray/Sphere Intersection", Ray
         Tracing Gems, 2019). The structure changes the speed alone, not a single bit of the picture,
         unless the camera is more than 1e9 times as far away as the packing is large. The accessor
-        reuses it for further pictures until points or radii are assigned, or written to through
-        ``packing.points`` and ``packing["radius"]``. Changes through other views of their memory
-        are not noticed.
+        reuses it for further pictures until points or radii are assigned or written to; see
+        :meth:`modified` for writes that nobody is told of.
 
         Parameters
         ----------
@@ -328,6 +352,9 @@ class PackingAccessor(BoxesOfPacking, GranularOfPacking, MetaballsOfPacking):
             Radiance of the sky, linear: one number, or red, green and blue; two of either for the
             bottom (-z) and the top (+z); or an equirectangular image (height, width, 3), or the
             file of one, whose upper side is +z and whose middle is +x. Integers in images are sRGB.
+            The image is what is bilinear between the middles of its pixels, around the poles what
+            the nearest row is. A file of up to 2**29 pixels is read, if half of the memory holds
+            64 bytes for each.
         sun : Sun or sequence of float, optional
             A :class:`spherepacking.Sun`, or the direction (3,) towards one of radiance 1.
         seed : int, default: 0
@@ -497,6 +524,14 @@ class PackingAccessor(BoxesOfPacking, GranularOfPacking, MetaballsOfPacking):
         Any
             What :meth:`pyvista.Plotter.show` returns.
 
+        Raises
+        ------
+        RuntimeError
+            If the window cannot be drawn into.
+        ValueError
+            If the window is larger than 4096 pixels along a side, which ``screenshot`` of
+            ``plotter.packing`` is for.
+
         Examples
         --------
         >>> import spherepacking
@@ -504,6 +539,7 @@ class PackingAccessor(BoxesOfPacking, GranularOfPacking, MetaballsOfPacking):
         >>> packing.packing.plot(cmap="magma", screenshot="packing.png")  # doctest: +SKIP
         """
         from .draw.offscreen import choose_window
+        from .draw.picture import check_one_piece, drawing_checked
         from .plotter import PackingComponent
 
         choose_window()
@@ -516,7 +552,9 @@ class PackingAccessor(BoxesOfPacking, GranularOfPacking, MetaballsOfPacking):
             if background is not None:
                 plotter.set_background(background)
             plotter.packing.add(self._dataset, **look)
-            return plotter.show(**kwargs)
+            check_one_piece(plotter, kwargs.get("window_size"))
+            with drawing_checked(window_of(plotter)):
+                return plotter.show(**kwargs)
         except BaseException:
             plotter.close()
             raise

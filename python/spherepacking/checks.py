@@ -38,6 +38,8 @@ FINEST_EXTENT = 1e-13
 """Length of a packing over its distance from the origin: double precision has 16 digits."""
 RADIANCE_LIMITS = Limits(0.0, 1e15)
 """Radiance of sky and sun: the variance squares it, in single precision."""
+LARGEST_SKY = 2**29
+"""Pixels of the image of a sky: more than 24576 x 12288, which is large for one."""
 EXPOSURE_LIMITS = Limits(-100.0, 100.0)
 """Exposure: 2 to this power is a number in single precision."""
 WEIGHT_LIMITS = Limits(0.0, 1e20)
@@ -52,8 +54,8 @@ LARGEST_SEED = 2**32 - 1
 """Seed of the path tracer: an unsigned int of C++."""
 LARGEST_TRACED_SIDE = 65536
 """Side of a traced picture, in pixels: far more than any use, so that a slip is refused."""
-LARGEST_DRAWN_SIDE = 16384
-"""Side of a drawn picture, in pixels: what every implementation of OpenGL has for a texture."""
+LARGEST_DRAWN_SIDE = 32768
+"""Side of a drawn picture, in pixels: drawn in tiles, far more than is printed on a wall."""
 LARGEST_SPECULAR_POWER = 128.0
 """Specular power: as in VTK."""
 LARGEST_RAY_SAMPLES = 16

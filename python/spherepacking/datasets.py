@@ -155,6 +155,9 @@ def _is_plain(packing: pv.PolyData, name: str) -> bool:
 
 # --- points of datasets ---------------------------------------------------------------------------
 
+# Datasets whose points are an object of their own.
+_WITH_POINTS = (pv.PolyData, pv.UnstructuredGrid, pv.StructuredGrid, pv.PointSet)
+
 
 def centres_of(dataset: Any, radius: str | None = None) -> pv.PolyData:
     """The points of a dataset as vertices, with its point and field arrays.
@@ -205,7 +208,7 @@ def _blocks_of(dataset: Any) -> Iterator[pv.DataSet]:
 def _points_of(dataset: pv.DataSet) -> pv.PolyData:
     """The points of one dataset as vertices; arrays are shared."""
     packing = pv.PolyData()
-    if isinstance(dataset, (pv.PolyData, pv.UnstructuredGrid, pv.StructuredGrid, pv.PointSet)):
+    if isinstance(dataset, _WITH_POINTS):
         packing.SetPoints(dataset.GetPoints() or packing.GetPoints())
     else:
         packing.points = np.asarray(dataset.points)
@@ -286,6 +289,23 @@ class DatasetPacking:
     def __init__(self, dataset: Any) -> None:
         self._dataset = dataset
         self._made: pv.PolyData | None = None
+
+    def modified(self) -> None:
+        """Notify VTK that points and arrays of the dataset have changed, whichever that are."""
+        self._made = None
+        blocks = [self._dataset]
+        if not isinstance(self._dataset, pv.DataSet):
+            blocks = list(_blocks_of(self._dataset))
+        for block in blocks:
+            points = block.GetPoints() if isinstance(block, _WITH_POINTS) else None
+            if points is not None:
+                points.GetData().Modified()
+                points.Modified()
+            for data in (block.GetPointData(), block.GetCellData(), block.GetFieldData()):
+                for i in range(data.GetNumberOfArrays()):
+                    data.GetAbstractArray(i).Modified()
+            block.Modified()
+        self._dataset.Modified()
 
     def with_radius(self, radius: RadiusLike | None = None) -> pv.PolyData:
         """Return the packing, as :func:`packing_of`."""

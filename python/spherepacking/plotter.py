@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from dataclasses import fields, replace
-from typing import TYPE_CHECKING, cast
+from typing import TYPE_CHECKING
 
-import numpy as np
 import pyvista as pv
 
 from . import checks
@@ -17,9 +16,9 @@ from .look.material import property_of
 from .look.scalar_bar import scalar_bar_of
 from .look.scalars import opacity_of, scalars_of
 from .metaballs.plotter import MetaballsOfPlotter
+from .pictures import PicturesOfPlotter
 
 if TYPE_CHECKING:
-    import os
     from collections.abc import Sequence
     from typing import Any
 
@@ -36,7 +35,7 @@ if TYPE_CHECKING:
 
 
 @pv.register_plotter_component("packing")
-class PackingComponent(GranularOfPlotter, MetaballsOfPlotter):
+class PackingComponent(GranularOfPlotter, MetaballsOfPlotter, PicturesOfPlotter):
     """Adds sphere packings to a plotter; every plotter has one as ``plotter.packing``.
 
     Parameters
@@ -378,73 +377,6 @@ class PackingComponent(GranularOfPlotter, MetaballsOfPlotter):
         live = LivePicture(self.plotter, actor, packing, tracer, look, options, step)
         self._pictures.append(live)
         return live
-
-    def screenshot(
-        self,
-        filename: str | os.PathLike[str],
-        *,
-        transparent_background: bool | None = None,
-        window_size: tuple[int, int] | None = None,
-        scale: int | None = None,
-    ) -> np.ndarray:
-        """Save the view as a picture through OpenImageIO.
-
-        Parameters
-        ----------
-        filename : str or os.PathLike
-            The extension decides about the format: ``.png``, ``.tif``, ``.exr``, ``.jpg``, …
-        transparent_background : bool, optional
-            Save an alpha channel, 0 where there is nothing; by default as the theme says.
-        window_size : tuple[int, int], optional
-            Width and height in pixels.
-        scale : int, optional
-            Factor by which the picture is larger than the window.
-
-        Returns
-        -------
-        numpy.ndarray
-            Pixels (height, width, 3 or 4), uint8.
-
-        Raises
-        ------
-        OSError
-            If the file cannot be written.
-        RuntimeError
-            If the spheres cannot be drawn in this view; nothing is written.
-        TypeError, ValueError
-            If the format is unknown, or the picture's size is invalid or above 16384 along a side.
-        """
-        from .draw.mapper import SpherePackingMapper
-        from .files.image import check_output, write_image
-
-        check_output(filename)
-        largest = checks.LARGEST_DRAWN_SIDE
-        factor = 1 if scale is None else checks.count_of("scale", scale, most=largest)
-        size = self.plotter.window_size if window_size is None else window_size
-        checks.size_of("window_size", size, most=largest // factor)
-        # Upstream: PyVista 0.49's screenshot does not render again, and would miss what has changed
-        # since the last rendering.
-        self.plotter.render()
-        pixels = cast(
-            "np.ndarray",
-            self.plotter.screenshot(
-                None,
-                return_img=True,
-                transparent_background=transparent_background,
-                window_size=window_size,
-                scale=scale,
-            ),
-        )
-        for renderer in self.plotter.renderers:
-            for actor in renderer.actors.values():
-                mapper = getattr(actor, "mapper", None) if actor.GetVisibility() else None
-                if isinstance(mapper, SpherePackingMapper) and mapper.GetErrorMessage():
-                    raise RuntimeError(f"the spheres cannot be drawn: {mapper.GetErrorMessage()}")
-        for picture in self._pictures:
-            if picture.error is not None:
-                raise RuntimeError(f"the spheres cannot be traced: {picture.error}")
-        write_image(filename, np.asarray(pixels))
-        return pixels
 
 
 def _check_scene(plotter: pv.BasePlotter, name: str | None) -> None:

@@ -107,7 +107,8 @@ def radii_from(name: str, values: np.ndarray) -> np.ndarray:
     TypeError
         If the values are not real numbers.
     ValueError
-        If they have several components that differ, or the name may or may not mean diameters.
+        If they have several components that differ, the name may or may not mean diameters, or
+        half of a negative one is zero.
     """
     diameters = diameters_in(name)
     if diameters == "unsure":
@@ -126,7 +127,16 @@ def radii_from(name: str, values: np.ndarray) -> np.ndarray:
                 "number per sphere, or equal ones"
             )
         values = values[:, 0]
-    return 0.5 * values if diameters == "yes" else values
+    if diameters != "yes":
+        return values
+    radii = 0.5 * values
+    # Half of the least number below zero is 0, which would be taken.
+    lost = (values < 0) & (radii == 0)
+    if lost.any():
+        raise ValueError(
+            f"radius: found {values[lost][0]} in {name!r}, expected a number that is not negative"
+        )
+    return radii
 
 
 def given_radii(packing: pv.PolyData, radius: RadiusLike) -> np.ndarray:
@@ -154,7 +164,7 @@ def given_radii(packing: pv.PolyData, radius: RadiusLike) -> np.ndarray:
     TypeError
         If they are not real numbers.
     ValueError
-        If there is not one per sphere.
+        If there is not one per sphere, or one below zero would become zero.
     """
     if isinstance(radius, str):
         if packing.n_points and radius not in packing.point_data:
@@ -205,7 +215,7 @@ def _by_type(packing: pv.PolyData, radius: Mapping[int, float] | Mapping[str, fl
     for name in candidates:
         types, which = np.unique(np.asarray(packing.point_data[name]), return_inverse=True)
         keyed = str if types.dtype.kind in "US" else int
-        table = {keyed(key): float(value) for key, value in radius.items()}
+        table = {keyed(key): _radius_of(value) for key, value in radius.items()}
         missing = [str(kind) for kind in types.tolist() if kind not in table]
         if not missing:
             return np.array([table[kind] for kind in types.tolist()])[which.reshape(-1)]
@@ -214,6 +224,14 @@ def _by_type(packing: pv.PolyData, radius: Mapping[int, float] | Mapping[str, fl
         f"radius: found no radius for {', '.join(first[:10])} of the array {candidates[0]!r}, "
         f"expected one for each type beside those of {', '.join(map(str, radius))}"
     )
+
+
+def _radius_of(value: float) -> float:
+    """`value` in double precision, or a ValueError if it is below zero and would become zero."""
+    radius = float(value)
+    if value < 0 and radius == 0:
+        raise ValueError(f"radius: found {value}, expected a number that is not negative")
+    return radius
 
 
 def _type_arrays(packing: pv.PolyData, texts: list[str]) -> list[str]:

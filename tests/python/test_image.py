@@ -8,7 +8,9 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 import pytest
 import spherepacking
-from spherepacking.files.image import check_output
+from spherepacking import read_image, write_image
+from spherepacking.files import image
+from spherepacking.files.image import check_output, write_strips
 
 pillow = pytest.importorskip("PIL.Image")  # a dependency of PyVista
 
@@ -248,3 +250,41 @@ def test_shapes_that_differ():
         ValueError, match=r"second: found shape \(3, 2, 1\), expected .*\(2, 3, 1\)"
     ):
         spherepacking.compare_images(np.zeros((2, 3)), np.zeros((3, 2)))
+
+
+@pytest.mark.parametrize(
+    "extension", ["png", "tif", "exr", "jpg", "bmp", "tga", "webp", "jp2", "gif", "ppm", "hdr"]
+)
+def test_strips_make_the_same_file(tmp_path, rng, extension):
+    pixels = rng.integers(0, 256, (61, 40, 3)).astype(np.uint8)
+    whole, strips = tmp_path / f"whole.{extension}", tmp_path / f"strips.{extension}"
+    try:
+        write_image(whole, pixels)
+    except ValueError:
+        pytest.skip("OpenImageIO does not write it")
+    write_strips(strips, pixels.shape, pixels.dtype, (pixels[i : i + 7] for i in range(0, 61, 7)))
+    assert (read_image(strips) == read_image(whole)).all()
+
+
+def test_what_fails_between_strips_leaves_nothing(tmp_path):
+    def strips():
+        yield np.zeros((7, 40, 3), np.uint8)
+        raise RuntimeError("the rest cannot be drawn")
+
+    path = tmp_path / "a.png"
+    path.write_bytes(b"what was there")
+    with pytest.raises(RuntimeError, match="the rest cannot be drawn"):
+        write_strips(path, (61, 40, 3), np.dtype(np.uint8), strips())
+    assert path.read_bytes() == b"what was there"
+    assert list(tmp_path.iterdir()) == [path]
+
+
+def test_large_pictures_are_checked_by_rows(tmp_path, rng, monkeypatch):
+    """What cannot be read back is no picture; little of it is read at a time."""
+    pixels = rng.integers(0, 256, (61, 40, 3)).astype(np.uint8)
+    monkeypatch.setattr(image, "_ROOM_TO_CHECK", 1000)
+    write_image(tmp_path / "a.png", pixels)
+    assert (read_image(tmp_path / "a.png") == pixels).all()
+    whole = (tmp_path / "a.png").read_bytes()
+    (tmp_path / "a.png").write_bytes(whole[: len(whole) // 2])
+    assert not image._can_be_read(tmp_path / "a.png")

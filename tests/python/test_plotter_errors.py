@@ -253,9 +253,9 @@ def test_what_has_changed_since_the_last_picture_is_drawn_or_told(tmp_path, capf
         {"window_size": (0, 10)},
         {"window_size": (-1, 5)},
         {"window_size": (10,)},
-        {"window_size": (20000, 10)},
+        {"window_size": (40000, 10)},
         {"scale": 0},
-        {"scale": 200},
+        {"scale": 400},
     ],
 )
 def test_sizes_that_no_picture_has(tmp_path, kwargs):

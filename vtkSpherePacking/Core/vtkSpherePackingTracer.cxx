@@ -20,7 +20,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <stdexcept>
+#include <string>
 
 vtkStandardNewMacro(vtkSpherePackingTracer);
 
@@ -121,10 +123,12 @@ void vtkSpherePackingTracer::Check() const
     spherepacking::Refuse("tile", Join(this->TileSize, 2), "two numbers from 1 on");
   }
   const double pixels = static_cast<double>(this->WindowSize[0]) * this->WindowSize[1];
-  if (pixels * this->BytesPerPixel() > spherepacking::HalfOfMemory())
+  const double most = std::floor(spherepacking::HalfOfMemory() / this->BytesPerPixel());
+  if (pixels > most)
   {
     throw std::invalid_argument("window_size: found " + Join(this->WindowSize, 2) +
-      ", which is more than fits in half of the memory, expected fewer pixels");
+      ", which is more than fits in half of the memory, expected at most " +
+      std::to_string(static_cast<std::int64_t>(most)) + " pixels");
   }
   if (!this->Camera)
   {
@@ -260,12 +264,22 @@ vtkIdType vtkSpherePackingTracer::Cast(
     {
       t = hit.T;
       double n[3];
-      spherepacking::NormalAt(ray, scene.Spheres[hit.Id], spherepacking::InverseSquare(ray), n);
+      // Not that of the arrays, which may have been written to since.
+      const spherepacking::Sphere& on = hit.On;
+      const double sphere[4] = { on.X, on.Y, on.Z, on.R };
+      std::copy_n(sphere, 4, this->CastSphere);
+      spherepacking::NormalAt(ray, on, spherepacking::InverseSquare(ray), hit.T, n);
       std::copy_n(n, 3, normal);
     }
   };
   RunGuarded(this, this->ErrorMessage, OutOfMemory, work);
   return id;
+}
+
+//------------------------------------------------------------------------------
+void vtkSpherePackingTracer::NoticeChanges()
+{
+  this->Prepared->NoticeChanges();
 }
 
 //------------------------------------------------------------------------------
@@ -284,5 +298,7 @@ void vtkSpherePackingTracer::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Color: " << this->Color[0] << " " << this->Color[1] << " " << this->Color[2]
      << "\n";
   os << indent << "RandomColors: " << (this->RandomColors ? "On" : "Off") << "\n";
+  os << indent << "CastSphere: " << this->CastSphere[0] << " " << this->CastSphere[1] << " "
+     << this->CastSphere[2] << " " << this->CastSphere[3] << "\n";
   os << indent << "ErrorMessage: " << this->ErrorMessage << "\n";
 }

@@ -160,6 +160,19 @@ public:
   vtkIdType CastPixel(double x, double y, double& t, double normal[3]);
 
   /**
+   * Centre and radius of the sphere that the last cast hit.
+   */
+  vtkGetVector4Macro(CastSphere, double);
+
+  /**
+   * Looks at up to 64 spheres all over the packing of the last run or cast, and notifies VTK of a
+   * change of their arrays if any of them has changed. Otherwise the filter goes by what VTK has
+   * been notified of: writing into an array without Modified() leaves the picture as it was, as a
+   * whole.
+   */
+  void NoticeChanges();
+
+  /**
    * What was wrong in the last run or cast; empty when nothing was.
    */
   const char* GetErrorMessage() const { return this->ErrorMessage.c_str(); }
@@ -217,6 +230,7 @@ private:
   std::string RadiusArrayName = "radius";
   std::string ColorArrayName;
   std::string ErrorMessage;
+  double CastSphere[4] = {};
 };
 
 #endif

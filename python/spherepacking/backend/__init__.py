@@ -60,7 +60,12 @@ if TYPE_CHECKING:
 
     # Stock VTK's stubs, since cvista brings none; its classes are the same. Some are here for
     # signatures alone.
-    from vtkmodules.vtkCommonCore import reference, vtkDataArray
+    from vtkmodules.vtkCommonCore import (
+        reference,
+        vtkAbstractArray,
+        vtkDataArray,
+        vtkUnsignedCharArray,
+    )
     from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData
     from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
     from vtkmodules.vtkDomainsChemistry import vtkPeriodicTable
@@ -97,6 +102,8 @@ if TYPE_CHECKING:
     from ..vtkSpherePackingRendering import (
         vtkOpenGLSpherePackingMapper,
         vtkSpherePackingPicturePass,
+        vtkSpherePackingTiles,
+        vtkSpherePackingWindowCheck,
     )
 else:
     # The rendering backend registers its object factory overrides when it is imported, and the
@@ -114,7 +121,9 @@ else:
     importlib.import_module(f"{VTK_ROOT}.vtkIOLegacy")
 
     # How a number comes back from a C++ reference.
-    reference = importlib.import_module(f"{VTK_ROOT}.vtkCommonCore").reference
+    _common_core = importlib.import_module(f"{VTK_ROOT}.vtkCommonCore")
+    reference = _common_core.reference
+    vtkUnsignedCharArray = _common_core.vtkUnsignedCharArray
     vtkDataObject = importlib.import_module(f"{VTK_ROOT}.vtkCommonDataModel").vtkDataObject
     vtkStreamingDemandDrivenPipeline = importlib.import_module(
         f"{VTK_ROOT}.vtkCommonExecutionModel"
@@ -140,3 +149,5 @@ else:
     _rendering = _load("vtkSpherePackingRendering")
     vtkOpenGLSpherePackingMapper = _rendering.vtkOpenGLSpherePackingMapper
     vtkSpherePackingPicturePass = _rendering.vtkSpherePackingPicturePass
+    vtkSpherePackingTiles = _rendering.vtkSpherePackingTiles
+    vtkSpherePackingWindowCheck = _rendering.vtkSpherePackingWindowCheck

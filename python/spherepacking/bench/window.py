@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pyvista as pv
 
+from ..draw.picture import drawing_checked
 from ..testing import accuracy
 from ..testing.scenes import depths_of
 from ..vtk_tools import window_of
@@ -85,9 +86,14 @@ def _show(
     plotter.camera.view_angle = camera.view_angle
     # Not all mappers know how far their spheres reach.
     depths = depths_of(packing, camera)
-    plotter.show(auto_close=False, interactive=False)
-    plotter.camera.clipping_range = depths
-    plotter.render()
+    try:
+        with drawing_checked(window_of(plotter)):
+            plotter.show(auto_close=False, interactive=False)
+            plotter.camera.clipping_range = depths
+            plotter.render()
+    except BaseException:
+        plotter.close()
+        raise
     return plotter
 
 

@@ -64,7 +64,7 @@ class RenderOptions:
     cell
         Draw the edges of the simulation cell, which the file must have.
     size
-        Width and height of the picture in pixels.
+        Width and height of the picture in pixels, up to 32768 each.
     camera
         Position of the camera; by default the packing fills the picture, seen along (-1, -1, -1).
     focal
@@ -225,9 +225,7 @@ def check_view(options: RenderOptions) -> None:
     """Raise a ValueError if there is no such picture."""
     from ..checks import LARGEST_DRAWN_SIDE
 
-    size = options.size
-    # Smoothing draws a picture of twice the size.
-    largest = LARGEST_DRAWN_SIDE // 2 if options.anti_aliasing else LARGEST_DRAWN_SIDE
+    size, largest = options.size, LARGEST_DRAWN_SIDE
     if min(size) < 1 or max(size) > largest:
         raise ValueError(
             f"--size: found {size[0]} {size[1]}, expected numbers of pixels from 1 to {largest}"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import closing
 from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, Any
@@ -10,7 +11,7 @@ import numpy as np
 import pyvista as pv
 
 from ..checks import color_of
-from ..files.image import check_output
+from ..files.image import check_output, write_strips
 from ..look.scalars import means_colors
 from ..vtk_tools import window_of
 from .camera import aim, fit
@@ -122,9 +123,21 @@ def _draw(packing: pv.PolyData, options: RenderOptions, scene: Scene, *, several
             save_path_trace(plotter, packing, look, options)
         else:
             plotter.renderer.ResetCameraClippingRange()
-            plotter.packing.screenshot(options.output, transparent_background=options.transparent)
+            _save(plotter, options)
     finally:
         plotter.close()
+
+
+def _save(plotter: pv.Plotter, options: RenderOptions) -> None:
+    """Save what the plotter shows, which need not fit into memory."""
+    width, height = options.size
+    strips = plotter.packing.strips(options.size, options.transparent)
+    shape = (height, width, 4 if options.transparent else 3)
+    try:
+        with closing(strips):
+            write_strips(options.output, shape, np.dtype(np.uint8), strips)
+    except RuntimeError as error:  # that it cannot be drawn
+        raise ValueError(str(error)) from None
 
 
 def _check(options: RenderOptions) -> None:

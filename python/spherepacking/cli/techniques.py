@@ -11,13 +11,19 @@ import pyvista as pv
 
 from ..accessor import PackingAccessor
 from ..files.exr import write_render
-from ..files.image import write_image
+from ..files.image import write_image, write_strips
 from ..trace.sky import Sun
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
+
     from ..look.look import Look
     from ..trace.sky import SkyLike
     from .options import RenderOptions
+
+
+_STRIP_PIXELS = 2**23
+"""Pixels whose rays are cast at a time, which takes less than 1 GB."""
 
 
 def add_boxes(plotter: pv.Plotter, packing: pv.PolyData, options: RenderOptions) -> pv.PolyData:
@@ -82,16 +88,44 @@ def save_ray_cast(
     samples = options.samples
     if samples is None:
         samples = 2 if options.anti_aliasing else 1
-    image = PackingAccessor(packing).ray_cast(
-        plotter.camera,
-        options.size,
-        structure=options.structure,
-        samples=samples,
-        progress=sys.stderr.isatty(),
-        **look.kwargs(),
-    )
-    pixels = _pixels_of(image)
-    write_image(options.output, pixels if options.transparent else _over(plotter, pixels))
+    accessor = PackingAccessor(packing)
+
+    def strips() -> Iterator[np.ndarray]:
+        for camera, rows in _views_of_strips(plotter.camera, options.size):
+            image = accessor.ray_cast(
+                camera,
+                (options.size[0], rows),
+                structure=options.structure,
+                samples=samples,
+                progress=sys.stderr.isatty(),
+                **look.kwargs(),
+            )
+            pixels = _pixels_of(image)
+            yield pixels if options.transparent else _over(plotter, pixels)
+
+    width, height = options.size
+    shape = (height, width, 4 if options.transparent else 3)
+    write_strips(options.output, shape, np.dtype(np.uint8), strips())
+
+
+def _views_of_strips(camera: pv.Camera, size: tuple[int, int]) -> Iterator[tuple[pv.Camera, int]]:
+    """Cameras that see strips of a picture from the top, none too large to cast, and their rows."""
+    width, height = size
+    rows = max(1, _STRIP_PIXELS // width)
+    if rows >= height:
+        yield camera, height
+        return
+    center_x, center_y = camera.GetWindowCenter()
+    slope = np.tan(np.radians(camera.view_angle) / 2.0)
+    for end in range(height, 0, -rows):
+        begin = max(0, end - rows)
+        scale = (end - begin) / height
+        strip = pv.Camera()
+        strip.DeepCopy(camera)
+        strip.SetWindowCenter(center_x, (center_y + (begin + end) / height - 1.0) / scale)
+        strip.view_angle = np.degrees(2.0 * np.arctan(slope * scale))
+        strip.parallel_scale = camera.parallel_scale * scale
+        yield strip, end - begin
 
 
 def save_path_trace(

@@ -5,15 +5,22 @@ Alpha is straight (unassociated) on both sides: colours are not multiplied by it
 
 from __future__ import annotations
 
+import mmap
 import os
+from itertools import chain
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 import OpenImageIO as oiio
 
+from ..checks import half_of_memory
 from .replace import check_replaceable, replace_file
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+    from typing import Any
 
 _FORMATS = {
     np.dtype(np.uint8): "uint8",
@@ -23,6 +30,8 @@ _FORMATS = {
     np.dtype(np.float64): "double",
 }
 _STRAIGHT_ALPHA = "oiio:UnassociatedAlpha"
+_ROOM_TO_CHECK = 2**26
+"""Bytes of pixels that are read at a time when a picture is checked."""
 
 
 class ImageDifference(NamedTuple):
@@ -86,20 +95,51 @@ def write_image(path: str | os.PathLike[str], pixels: np.ndarray) -> None:
     ValueError
         If no format has that extension, or the array has no pixels or no shape of a picture.
     """
-    path = Path(path).expanduser()
     pixels = np.ascontiguousarray(pixels)
-    if pixels.dtype not in _FORMATS:
-        raise TypeError(f"pixels: found {pixels.dtype}, expected uint8, uint16 or floats")
     if pixels.ndim not in (2, 3) or not pixels.size:
         raise ValueError(
             f"pixels: found shape {pixels.shape}, expected (height, width[, channels])"
         )
     pixels = np.atleast_3d(pixels)
-    height, width, channels = pixels.shape
-    spec = oiio.ImageSpec(width, height, channels, _FORMATS[pixels.dtype])
+    write_strips(path, pixels.shape, pixels.dtype, [pixels])
+
+
+def write_strips(
+    path: str | os.PathLike[str],
+    shape: tuple[int, ...],
+    dtype: np.dtype[Any],
+    strips: Iterable[np.ndarray],
+) -> None:
+    """Write a picture that need not be in memory as a whole.
+
+    Parameters
+    ----------
+    path : str or os.PathLike
+        As in :func:`write_image`.
+    shape : tuple[int, int, int]
+        Height, width and channels.
+    dtype : numpy.dtype
+        Type of the pixels, as in :func:`write_image`.
+    strips : iterable of numpy.ndarray
+        (rows, width, channels), from the top; together they have the picture's height.
+
+    Raises
+    ------
+    OSError
+        If the folder does not exist or the file cannot be written; an earlier file is as it was.
+    TypeError
+        If the pixels have another type.
+    ValueError
+        If no format has that extension.
+    """
+    path = Path(path).expanduser()
+    if dtype not in _FORMATS:
+        raise TypeError(f"pixels: found {dtype}, expected uint8, uint16 or floats")
+    height, width, channels = shape
+    spec = oiio.ImageSpec(width, height, channels, _FORMATS[dtype])
     if channels == 4:
         spec.attribute(_STRAIGHT_ALPHA, 1)
-    _write_whole(path, _create(path), spec, pixels)
+    _write_whole(path, _create(path), spec, strips)
 
 
 def write_channels(
@@ -113,11 +153,11 @@ def write_channels(
     for name, value in attributes.items():
         # Integer attributes of OpenImageIO have 32 bits and a sign.
         spec.attribute(name, str(value) if isinstance(value, int) and value >= 2**31 else value)
-    _write_whole(path, _create(path), spec, pixels)
+    _write_whole(path, _create(path), spec, [pixels])
 
 
 def _write_whole(
-    path: Path, output: oiio.ImageOutput, spec: oiio.ImageSpec, pixels: np.ndarray
+    path: Path, output: oiio.ImageOutput, spec: oiio.ImageSpec, strips: Iterable[np.ndarray]
 ) -> None:
     """Encode in memory, then replace the file at once.
 
@@ -132,23 +172,61 @@ def _write_whole(
     with TemporaryDirectory() as folder, os.fdopen(os.memfd_create("picture"), "rb") as memory:
         try:
             # A limit on the size of files holds for memory, too: the most that it needs must fit.
-            os.truncate(memory.fileno(), 2 * pixels.nbytes + 65536)
+            os.truncate(memory.fileno(), 2 * spec.image_bytes() + 65536)
             os.truncate(memory.fileno(), 0)
         except OSError as error:
             raise OSError(f"{path}: the picture cannot be written ({error.strerror})") from error
         name = Path(folder, f"picture{path.suffix}")
         name.symlink_to(f"/proc/self/fd/{memory.fileno()}")
-        written = output.open(str(name), spec) and output.write_image(pixels)
-        # Closing flushes, so it is part of writing and may fail as well.
-        if not (output.close() and written):
-            raise OSError(f"{path}: the picture cannot be written: {output.geterror().strip()}")
+        # Encoders complain on their own about what they were opened for and did not get, so the
+        # first strip, where most of what is wrong is found, comes before.
+        rest = iter(strips)
+        first = next(rest)
         try:
-            read_image(name)
-        except OSError:
+            written = output.open(str(name), spec) and _write_rows(output, chain([first], rest))
+        finally:
+            # Closing flushes, so it is part of writing and may fail as well.
+            closed = output.close()
+        if not (closed and written):
+            raise OSError(f"{path}: the picture cannot be written: {output.geterror().strip()}")
+        if not _can_be_read(name):
             raise OSError(
                 f"{path}: the picture cannot be written: what was encoded cannot be read back"
-            ) from None
-        replace_file(path, memory.read())
+            )
+        with mmap.mmap(memory.fileno(), 0, access=mmap.ACCESS_READ) as encoded:
+            replace_file(path, encoded)
+
+
+def _write_rows(output: oiio.ImageOutput, strips: Iterable[np.ndarray]) -> bool:
+    """Write rows from the top; whether that was possible."""
+    row = 0
+    for strip in strips:
+        end = row + len(strip)
+        if not output.write_scanlines(row, end, 0, np.ascontiguousarray(strip)):
+            return False
+        row = end
+    return True
+
+
+def _can_be_read(path: Path) -> bool:
+    """Whether every pixel of a picture can be read, a few rows at a time."""
+    source = oiio.ImageInput.open(str(path))
+    if source is None:
+        return False
+    try:
+        spec = source.spec()
+        rows = max(1, _ROOM_TO_CHECK // (spec.scanline_bytes() or 1))
+        if spec.tile_width or rows >= spec.height:
+            return source.read_image(spec.format) is not None
+        return all(
+            source.read_scanlines(
+                row, min(row + rows, spec.height), 0, 0, spec.nchannels, spec.format
+            )
+            is not None
+            for row in range(0, spec.height, rows)
+        )
+    finally:
+        source.close()
 
 
 def read_image(path: str | os.PathLike[str]) -> np.ndarray:
@@ -169,7 +247,36 @@ def read_image(path: str | os.PathLike[str]) -> np.ndarray:
     FileNotFoundError
         If there is no such file.
     OSError
-        If it cannot be read.
+        If it cannot be read, or takes more than half of the memory.
+    """
+    return read_small_image(path)
+
+
+def read_small_image(
+    path: str | os.PathLike[str], *, bytes_per_pixel: int = 0, most: int | None = None
+) -> np.ndarray:
+    """Read a picture, unless its header says that it is too large.
+
+    Parameters
+    ----------
+    path : str or os.PathLike
+        File to read.
+    bytes_per_pixel : int, default: 0
+        Memory that a pixel takes, if it is more than that of the picture itself.
+    most : int, optional
+        How many pixels it may have where memory sets no limit.
+
+    Returns
+    -------
+    numpy.ndarray
+        As of :func:`read_image`.
+
+    Raises
+    ------
+    FileNotFoundError
+        If there is no such file.
+    OSError
+        If it cannot be read, or is too large.
     """
     path = Path(path).expanduser()
     if not path.exists():
@@ -180,12 +287,42 @@ def read_image(path: str | os.PathLike[str]) -> np.ndarray:
     if source is None:
         raise OSError(f"{path}: the picture cannot be read: {oiio.geterror().strip()}")
     try:
-        pixels = source.read_image(source.spec().format)
+        spec = source.spec()
+        check_pixels(
+            f"{path}", spec.width, spec.height, max(spec.pixel_bytes(), bytes_per_pixel), most
+        )
+        pixels = source.read_image(spec.format)
         if pixels is None:
             raise OSError(f"{path}: the picture cannot be read: {source.geterror().strip()}")
     finally:
         source.close()
     return np.atleast_3d(pixels)
+
+
+def check_pixels(
+    name: str, width: int, height: int, bytes_per_pixel: int, most: int | None = None
+) -> None:
+    """Raise an OSError that starts with `name` if a picture is too large.
+
+    Parameters
+    ----------
+    name : str
+        What to call the picture.
+    width, height : int
+        Its pixels.
+    bytes_per_pixel : int
+        Memory that each takes.
+    most : int, optional
+        How many there may be where memory sets no limit.
+    """
+    room = half_of_memory() // bytes_per_pixel
+    if most is not None and width * height > most <= room:
+        raise OSError(f"{name}: found {width} x {height} pixels, expected at most {most} of them")
+    if width * height > room:
+        raise OSError(
+            f"{name}: found {width} x {height} pixels, which take more than half of the memory, "
+            f"expected at most {room} of them"
+        )
 
 
 def compare_images(first: np.ndarray, second: np.ndarray) -> ImageDifference:

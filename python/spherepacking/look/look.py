@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
 import pyvista as pv
 
 from ..checks import color_of, flag_of
@@ -18,9 +19,12 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
     from pyvista.plotting._typing import ColorLike
 
-    from ..backend import vtkDataArray
+    from ..backend import vtkAbstractArray, vtkDataArray
     from .color_map import ColorMap
     from .scalars import Scalars
+
+_SAMPLES = 64
+"""About how many scalars are looked at, each time, for changes that VTK was not notified of."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -119,11 +123,21 @@ class Look:
         # The time of all arrays: some changes are known to the point data alone.
         return (
             None if array is None else arrays.GetMTime(),
-            content_hash(pv.convert_array(array)) if hash_contents and array is not None else 0,
+            None if array is None else _contents_of(array, hash_contents),
             table,
             repr(vars(self) | ({} if table is None else {"cmap": None})),
             repr((theme.cmap, theme.color, theme.nan_color)),
         )
+
+
+def _contents_of(array: vtkAbstractArray, hash_contents: bool) -> int | bytes:
+    """A hash of an array, or a few values that show whether all have been written to."""
+    if hash_contents:
+        return content_hash(pv.convert_array(array))
+    if not array.IsA("vtkDataArray"):
+        return b""  # texts would have to be copied
+    values = np.asarray(pv.convert_array(array))
+    return values[:: max(1, len(values) // _SAMPLES)].tobytes() if len(values) else b""
 
 
 def _mapped(packing: pv.PolyData, scalars: Scalars, color_map: ColorMap) -> vtkDataArray:

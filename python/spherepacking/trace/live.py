@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from .path_trace import PathOptions, PathTracer
 
 _TICK = 10  # milliseconds between two looks at whether the camera rests
+_CERTAIN_TEXTURE = 4096  # pixels along a side that every OpenGL has
 _REST = 0.03  # seconds after which it does
 
 
@@ -123,9 +124,12 @@ class LivePicture:
         ------
         RuntimeError
             If it has been closed.
+        ValueError
+            If OpenGL has no texture of the picture's size, or something else is wrong.
         """
         if self._renderer is None or self._tracer is None or self._packing is None:
             raise RuntimeError("this picture has been closed, make a new one")
+        _check_texture(self._renderer)
         image = self._tracer.trace(
             self._packing,
             self._renderer.camera,
@@ -249,6 +253,22 @@ class LivePicture:
             threading.Timer(0.3, _thread.interrupt_main).start()
         except (KeyError, OSError, TypeError, ValueError) as error:
             self.error = error
+
+
+def _check_texture(renderer: pv.Renderer) -> None:
+    """Raise a ValueError if a picture of the whole renderer cannot be made a texture."""
+    from ..backend import vtkSpherePackingWindowCheck
+
+    width, height = renderer.GetSize()
+    # What OpenGL has is asked for only where that is in doubt.
+    if max(width, height) <= _CERTAIN_TEXTURE:
+        return
+    largest = vtkSpherePackingWindowCheck.GetLargestSide(renderer.GetRenderWindow())
+    if max(width, height) > largest:
+        raise ValueError(
+            f"window_size: found {width} x {height}, expected at most {largest} pixels along a "
+            "side: OpenGL has no larger textures; packing.path_trace makes pictures without it"
+        )
 
 
 def steps_with(picture: vtkRenderPass) -> vtkRenderStepsPass:

@@ -80,6 +80,8 @@ class PreparedTracer[Tracer: vtkSpherePackingTracer]:
             cuts = checks.count_of("cuts", cuts, least=0)
         size = checks.size_of("window_size", window_size, most=checks.LARGEST_TRACED_SIDE)
         camera = camera_of(camera)
+        if self._tracer is not None and not self._hash_contents:
+            self._tracer.NoticeChanges()
         times = self._changes.modified_times(packing)
         geometry = None if times is None else times.geometry
         if geometry is None or geometry != self._geometry:

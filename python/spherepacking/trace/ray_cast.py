@@ -84,12 +84,12 @@ class RayCaster:
             out = [0.0, 0.0, 0.0]
             with errors_raised(tracer):
                 sphere = tracer.CastPixel(x, y, t, out)
+            x, y, z, radius = tracer.GetCastSphere()
         if sphere < 0:
             return None
         normal = np.array(out)
         # From the sphere, so that the point keeps its digits however far the camera is.
-        radius = float(packing.point_data["radius"][sphere])
-        return Pick(sphere, np.asarray(packing.points[sphere], float) + radius * normal, normal)
+        return Pick(sphere, np.array([x, y, z]) + radius * normal, normal)
 
 
 def _make_tracer() -> vtkSpherePackingTracer:

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 import pyvista as pv
 
-from ..checks import RADIANCE_LIMITS, number_of, numbers_of, shown
-from ..files.image import read_image
+from ..checks import LARGEST_SKY, RADIANCE_LIMITS, number_of, numbers_of, shown
+from ..files.image import read_small_image
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -20,6 +20,10 @@ if TYPE_CHECKING:
 
     SkyLike = float | ArrayLike | str | os.PathLike[str]
 
+_PIXEL_BYTES = 64
+"""Memory for a pixel: in the file's type, linear, as the tracer has it, and its distribution."""
+_ROWS = 256
+"""Rows that are made linear at a time, which is done in double precision."""
 _PIXEL_TYPES = ("float16", "float32", "float64", "uint8", "uint16")
 
 
@@ -73,7 +77,8 @@ def sky_of(sky: SkyLike) -> Sky:
         See ``packing.packing.path_trace``.
     """
     if isinstance(sky, str | os.PathLike):
-        return Sky(pixels=_checked(_linear(read_image(sky)), str(sky)))
+        image = read_small_image(sky, bytes_per_pixel=_PIXEL_BYTES, most=LARGEST_SKY)
+        return Sky(pixels=_checked(_linear(image), str(sky)))
     if isinstance(sky, list | tuple) and len(sky) == 2:
         bottom, top = (_radiance_of("sky", value) for value in sky)
         return Sky(bottom, top)
@@ -128,8 +133,9 @@ def sun_of(sun: Sun | Sequence[float] | None) -> Sun | None:
 def _radiance_of(name: str, value: ArrayLike) -> tuple[float, float, float]:
     low, high = RADIANCE_LIMITS
     found = numbers_of(value)
-    known = found is not None and found.shape in ((), (1,), (3,))
-    values = np.broadcast_to(found, 3) if known else np.full(3, np.nan)
+    values = np.full(3, np.nan)
+    if found is not None and found.shape in ((), (1,), (3,)):
+        values = np.broadcast_to(found, 3)
     if not ((values >= low) & (values <= high)).all():
         raise ValueError(
             f"{name}: found {shown(value)}, "
@@ -147,19 +153,24 @@ def _linear(pixels: np.ndarray) -> np.ndarray:
     pixels = pixels[..., :3]
     if pixels.dtype.kind == "f":
         return pixels.astype(np.float32)
-    encoded = pixels / np.iinfo(pixels.dtype).max
-    return np.where(encoded <= 0.04045, encoded / 12.92, ((encoded + 0.055) / 1.055) ** 2.4).astype(
-        np.float32
-    )
+    linear = np.empty(pixels.shape, np.float32)
+    for row in range(0, len(pixels), _ROWS):
+        encoded = pixels[row : row + _ROWS] / np.iinfo(pixels.dtype).max
+        linear[row : row + _ROWS] = np.where(
+            encoded <= 0.04045, encoded / 12.92, ((encoded + 0.055) / 1.055) ** 2.4
+        )
+    return linear
 
 
 def _checked(pixels: np.ndarray, where: str) -> np.ndarray:
     low, high = RADIANCE_LIMITS
-    wrong = pixels[~((pixels >= low) & (pixels <= high))]
-    if wrong.size:
-        raise ValueError(
-            f"sky: found {wrong[0]} in {where}, expected numbers from {low:g} to {high:g}"
-        )
+    for row in range(0, len(pixels), _ROWS):
+        rows = pixels[row : row + _ROWS]
+        wrong = rows[~((rows >= low) & (rows <= high))]
+        if wrong.size:
+            raise ValueError(
+                f"sky: found {wrong[0]} in {where}, expected numbers from {low:g} to {high:g}"
+            )
     return pixels
 
 

@@ -8,6 +8,9 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
+#include <cstdint>
+
 namespace spherepacking
 {
 namespace
@@ -31,6 +34,22 @@ void Use(
     doubles = copy.data();
   }
 }
+
+template <typename T>
+void Copy(
+  const T*& values, std::int64_t count, HugeArray<char>& copy, const ParallelFor& parallelFor)
+{
+  if (!values)
+  {
+    return;
+  }
+  constexpr std::int64_t part = 1 << 16;
+  copy = HugeArray<char>(static_cast<std::size_t>(count) * sizeof(T));
+  T* const to = reinterpret_cast<T*>(copy.data());
+  parallelFor((count + part - 1) / part, [&](std::int64_t i)
+    { std::copy(values + i * part, values + std::min((i + 1) * part, count), to + i * part); });
+  values = to;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -42,6 +61,22 @@ PackingSpheres::PackingSpheres(vtkPolyData* packing, vtkDataArray* radii)
     Use(packing->GetPoints()->GetData(), this->Spheres.FloatCenters, this->Spheres.DoubleCenters,
       this->Centers);
     Use(radii, this->Spheres.FloatRadii, this->Spheres.DoubleRadii, this->Radii);
+  }
+}
+
+//------------------------------------------------------------------------------
+void PackingSpheres::Own(const ParallelFor& parallelFor)
+{
+  SphereArrays& spheres = this->Spheres;
+  if (this->Centers.empty())
+  {
+    Copy(spheres.FloatCenters, 3 * spheres.Count, this->OwnCenters, parallelFor);
+    Copy(spheres.DoubleCenters, 3 * spheres.Count, this->OwnCenters, parallelFor);
+  }
+  if (this->Radii.empty())
+  {
+    Copy(spheres.FloatRadii, spheres.Count, this->OwnRadii, parallelFor);
+    Copy(spheres.DoubleRadii, spheres.Count, this->OwnRadii, parallelFor);
   }
 }
 }

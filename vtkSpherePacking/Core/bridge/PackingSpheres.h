@@ -2,6 +2,8 @@
 #ifndef PackingSpheres_h
 #define PackingSpheres_h
 
+#include "base/HugeArray.h"
+#include "base/ParallelFor.h"
 #include "base/SphereArrays.h"
 
 #include <vector>
@@ -12,7 +14,8 @@ class vtkPolyData;
 namespace spherepacking
 {
 /// The spheres of a packing for those who know no VTK. Centres and radii that are floats or doubles
-/// side by side are used where they are, which has to outlive this; others are copied as doubles.
+/// side by side are used where they are, which has to outlive this, until Own() copies them; others
+/// are copied as doubles.
 /// `radii` is what RadiiOf() in bridge/RadiusArray.h found; null gives no spheres.
 class PackingSpheres
 {
@@ -23,10 +26,15 @@ public:
 
   const SphereArrays& Get() const { return this->Spheres; }
 
+  /// Copies what is used where it is, so that writing there makes no difference from now on.
+  void Own(const ParallelFor& parallelFor);
+
 private:
   SphereArrays Spheres;
   std::vector<double> Centers; // copies, if needed
   std::vector<double> Radii;
+  HugeArray<char> OwnCenters;
+  HugeArray<char> OwnRadii;
 };
 }
 

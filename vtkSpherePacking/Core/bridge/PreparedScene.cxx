@@ -68,6 +68,20 @@ SpheresState StateOf(vtkPolyData* packing, const char* radiusArrayName)
   }
   return state;
 }
+
+SphereSamples SamplesOf(vtkDataArray* points, vtkDataArray* radii)
+{
+  SphereSamples samples;
+  const vtkIdType spheres = radii->GetNumberOfTuples();
+  const vtkIdType count = std::min<vtkIdType>(spheres, SphereSamples::Most);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const vtkIdType at = count < spheres ? i * (spheres - 1) / (count - 1) : i;
+    points->GetTuple(at, &samples.Centers[3 * i]);
+    samples.Radii[i] = radii->GetComponent(at, 0);
+  }
+  return samples;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -98,6 +112,7 @@ void PreparedScene::Prepare(vtkPolyData* packing, const StructureOptions& option
   this->Spheres.reset(new PackingSpheres(packing, radii));
   this->Build(packing, radii, options);
   this->Seconds = watch.Seconds();
+  this->Samples = SamplesOf(state.Points, radii);
   this->Made = state;
   this->Kind = options.Kind;
   this->Cuts = options.Cuts;
@@ -124,6 +139,30 @@ void PreparedScene::Build(
       : GridOf(packing, radii, static_cast<std::int64_t>(options.Cuts) + 1);
     CheckGrid(grid, spheres, options.Cuts);
     this->Table.reset(new GridTable(BuildGrid(grid, spheres, SmpParallelFor())));
+  }
+  if (!this->Hierarchy || !this->Hierarchy->Exact)
+  {
+    this->Spheres->Own(SmpParallelFor());
+  }
+}
+
+//------------------------------------------------------------------------------
+void PreparedScene::NoticeChanges()
+{
+  vtkDataArray* points = this->Made.Points;
+  vtkDataArray* radii = this->Made.Radii;
+  if (!radii || points->GetNumberOfTuples() != radii->GetNumberOfTuples())
+  {
+    return;
+  }
+  const SphereSamples now = SamplesOf(points, radii);
+  if (now.Centers != this->Samples.Centers)
+  {
+    points->Modified();
+  }
+  if (now.Radii != this->Samples.Radii)
+  {
+    radii->Modified();
   }
 }
 

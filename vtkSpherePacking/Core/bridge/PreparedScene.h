@@ -11,6 +11,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
+#include <array>
 #include <memory>
 
 class vtkPolyData;
@@ -58,7 +59,19 @@ struct SceneState
   }
 };
 
-/// Keeps each part until what it was made of changes.
+/// Some of the spheres of a packing, so few that looking at them costs nothing.
+struct SphereSamples
+{
+  static constexpr int Most = 64;
+
+  // Of spheres at equal distances in the packing.
+  std::array<double, 3 * Most> Centers{};
+  std::array<double, Most> Radii{};
+};
+
+/// Keeps each part until VTK is notified that what it was made of has changed. What is kept holds
+/// the numbers that it was made of: whoever writes into the arrays and notifies nobody gets the
+/// picture of before, and never one of old boxes around new spheres.
 class PreparedScene
 {
 public:
@@ -68,6 +81,10 @@ public:
 
   /// Finds the colours of the spheres.
   void SetColors(vtkPolyData* packing, const ColorOptions& options);
+
+  /// Compares spheres all over the packing with what they were, up to 64, and notifies VTK if any
+  /// has changed: what has been written into a whole array is found, at no cost.
+  void NoticeChanges();
 
   Scene Get() const;
   SceneState State() const { return { this->Made, this->Colors.State() }; }
@@ -80,6 +97,7 @@ private:
   bool IsUpToDate(const SpheresState& state, const StructureOptions& options) const;
 
   SpheresState Made;
+  SphereSamples Samples; ///< of what was there then
   StructureKind Kind = StructureKind::None;
   int Cuts = -1;
   std::unique_ptr<PackingSpheres> Spheres;

@@ -53,6 +53,19 @@ inline const char* ParseNumber(const char* p, const char* end, T& value)
   return after;
 }
 
+/// Whether the number at `p`, which ParseNumber() has read as `value`, is below zero; also if it is
+/// so close to zero that `value` is -0.
+template <typename T>
+inline bool IsNegative(const char* p, const char* end, T value)
+{
+  if (!std::signbit(value) || value < 0)
+  {
+    return value < 0;
+  }
+  const char* const exponent = std::find_if(p, end, [](char c) { return c == 'e' || c == 'E'; });
+  return std::any_of(p, exponent, [](char c) { return c >= '1' && c <= '9'; });
+}
+
 /// Whether a number read as a double is a count: whole, not negative, and up to 2^53, beyond which
 /// doubles skip integers.
 inline bool IsCount(double value)

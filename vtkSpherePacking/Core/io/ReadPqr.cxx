@@ -175,7 +175,7 @@ private:
     {
       return false;
     }
-    if (this->To.Radii[row] < 0)
+    if (IsNegative(radius.data(), radius.data() + radius.size(), this->To.Radii[row]))
     {
       what = "found " + QuoteField(radius) + " as radius in a record that ends with " + Tail +
         ", expected a number that is not negative";

@@ -62,7 +62,7 @@ void Unpack(const FileBytes& bytes, double scale, PackingArrays& arrays, Progres
       }
       radii[i] = static_cast<Real>(0.5 * sphere[3] * scale);
       if (!std::isfinite(center[0]) || !std::isfinite(center[1]) || !std::isfinite(center[2]) ||
-        !std::isfinite(radii[i]) || radii[i] < 0)
+        !std::isfinite(radii[i]) || sphere[3] < 0)
       {
         vtkIdType seen = firstBad;
         while (i < seen && !firstBad.compare_exchange_weak(seen, i))

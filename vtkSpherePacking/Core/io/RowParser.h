@@ -158,7 +158,7 @@ private:
     Real values[4];
     const char* end = ParseShortRow(p, this->TextEnd, values);
     end = end ? end : this->ParseSpaced(p, values);
-    if (!end || values[3] < 0)
+    if (!end || std::signbit(values[3]))
     {
       return nullptr;
     }
@@ -219,7 +219,7 @@ private:
   const char* ParseRadius(const char* p, int column, Real& radius, RowFault& fault) const
   {
     const char* const end = this->ParseFinite(p, column, radius, fault);
-    if (end && radius < 0)
+    if (end && IsNegative(p, end, radius))
     {
       fault = { RowFault::Negative, column, p };
       return nullptr;

@@ -28,7 +28,7 @@ Real ParseValue(const SphereFields& sphere, int which, SphereSize size)
   {
     expected = "a finite number";
   }
-  else if (which == 3 && value < 0)
+  else if (which == 3 && IsNegative(field.data(), end, value))
   {
     expected = "a number that is not negative";
   }

@@ -3,6 +3,7 @@
 
 #include "io/CutFile.h"
 #include "io/LineScanner.h"
+#include "io/Number.h"
 #include "io/PackingFileError.h"
 #include "io/PackingFormats.h"
 #include "io/SphereFields.h"
@@ -116,7 +117,8 @@ private:
           : "4 columns: x y z radius");
     }
     double radius;
-    if (ParseFinite(fields[3], radius) && radius < 0)
+    if (ParseFinite(fields[3], radius) &&
+      IsNegative(fields[3].data(), fields[3].data() + fields[3].size(), radius))
     {
       this->Kept.push_back(-1);
       return;

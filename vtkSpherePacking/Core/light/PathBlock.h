@@ -190,7 +190,7 @@ private:
   void MoveTo(Path& path, const Ray& ray, const Hit& hit) const
   {
     const Sphere& sphere = hit.On;
-    NormalAt(ray, sphere, InverseSquare(ray), path.Normal);
+    NormalAt(ray, sphere, InverseSquare(ray), hit.T, path.Normal);
     path.PlaceOn(sphere, hit.Id);
     float albedo[3];
     this->AlbedoOf(hit.Id, albedo);

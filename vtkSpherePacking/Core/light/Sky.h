@@ -17,7 +17,8 @@ public:
 
   /// Takes an image in equirectangular projection: rows from +z to -z, red, green and blue of a
   /// pixel after each other, no number negative; the middle column is at +x, that at three quarters
-  /// of the width at -y. Empty for none.
+  /// of the width at -y. Empty for none. The light is bilinear between the middles of the pixels,
+  /// and within half a pixel of the poles that of the row there.
   void SetImage(std::vector<float> pixels, int width, int height);
 
   bool HasImage() const { return this->Width > 0; }

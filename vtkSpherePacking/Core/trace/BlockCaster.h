@@ -62,7 +62,8 @@ struct BlockSurface
       const Double4 d[3] = { Load<Double4>(block.DX + first), Load<Double4>(block.DY + first),
         Load<Double4>(block.DZ + first) };
       Double4 normal[3];
-      NormalAt<Double4>(f, radius, d, Load<Double4>(block.InverseSquare + first), normal);
+      NormalAt<Double4>(f, radius, d, Load<Double4>(block.InverseSquare + first),
+        Load<Double4>(block.T + first), normal);
       const Double4 cosine = normal[0] * toEye[0] + normal[1] * toEye[1] + normal[2] * toEye[2];
       Store(cosine < 0.0 ? -cosine : cosine, this->Cosine + first);
       for (int axis = 0; axis < 3; ++axis)

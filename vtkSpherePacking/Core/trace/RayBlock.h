@@ -79,6 +79,8 @@ struct RayBlock
   bool Offer(const Sphere& sphere, std::int64_t key, const RayRectangle& rays, double nearest)
   {
     bool closer = false;
+    // Along the direction of view, no surface that holds an origin begins in front of it.
+    const bool mayStartThere = nearest <= 0.0;
     for (int row = rays.Y0; row <= rays.Y1; ++row)
     {
       for (int quad = rays.X0 / Lanes; quad <= rays.X1 / Lanes; ++quad)
@@ -86,7 +88,7 @@ struct RayBlock
         const int first = row * Side + quad * Lanes;
         if (Any(nearest <= Load<Double4>(this->T + first)))
         {
-          closer |= this->OfferLanes(sphere, key, first);
+          closer |= this->OfferLanes(sphere, key, first, mayStartThere);
         }
       }
     }
@@ -108,13 +110,13 @@ struct RayBlock
   }
 
 private:
-  bool OfferLanes(const Sphere& sphere, std::int64_t key, int first)
+  bool OfferLanes(const Sphere& sphere, std::int64_t key, int first, bool mayStartThere)
   {
     const auto load = [first](const double* values) { return Load<Double4>(values + first); };
     const Double4 f[3] = { sphere.X - load(this->OX), sphere.Y - load(this->OY),
       sphere.Z - load(this->OZ) };
     const Double4 d[3] = { load(this->DX), load(this->DY), load(this->DZ) };
-    const Double4 t = HitSphere<Double4>(f, sphere.R, d, load(this->InverseSquare));
+    const Double4 t = HitSphere<Double4>(f, sphere, d, load(this->InverseSquare), mayStartThere);
     const Double4 best = load(this->T);
     const Long4 bestKey = Load<Long4>(this->Key + first);
     const Long4 closer = (t < best) | ((t == best) & (key < bestKey));

@@ -80,14 +80,31 @@ struct Chord
   }
 };
 
-/// The least t > 0 at which the ray through the origin along d meets the sphere around f, else
-/// NoHit.
+/// Whether the origin lies on the surface of a sphere whose centre is f from there, as far as
+/// double precision can tell: |f|^2 and r^2 differ by no more than 2^-47 r^2, beyond which the
+/// error bound says that hits have the right sign at any angle, and what comes of an origin that is
+/// 16 roundings of the centre's coordinates away.
 template <typename Real>
-inline Real HitSphere(const Real (&f)[3], double r, const Real (&d)[3], const Real& inverseSquare)
+inline auto IsOnSurface(const Real (&f)[3], const Sphere& sphere)
+{
+  const double square = sphere.R * sphere.R;
+  const double far = std::abs(sphere.X) + std::abs(sphere.Y) + std::abs(sphere.Z);
+  const Real power = f[0] * f[0] + f[1] * f[1] + f[2] * f[2] - square;
+  const Real tolerance = Real{} + (0x1p-47 * square + 0x1p-48 * far * sphere.R);
+  return (power <= tolerance) & (power >= -tolerance);
+}
+
+/// The least t > 0 at which the ray through the origin along d meets the sphere, whose centre is f
+/// from there, else NoHit. A ray that starts on the surface does not meet it there: outwards it
+/// misses the sphere, inwards it meets its far side. `mayStartThere` is false if it is known not
+/// to.
+template <typename Real>
+inline Real HitSphere(const Real (&f)[3], const Sphere& sphere, const Real (&d)[3],
+  const Real& inverseSquare, bool mayStartThere = true)
 {
   const Real miss = Real{} + NoHit;
   const Chord<Real> chord(f, d, inverseSquare);
-  const Real discriminant = chord.Discriminant(r);
+  const Real discriminant = chord.Discriminant(sphere.R);
   if (!Any(discriminant > 0.0))
   {
     return miss;
@@ -97,19 +114,24 @@ inline Real HitSphere(const Real (&f)[3], double r, const Real (&d)[3], const Re
   const Real near = chord.T0 - half;
   const Real far = chord.T0 + half;
   const Real t = near > 0.0 ? near : far;
-  const Real ahead = t > 0.0 ? t : miss;
+  Real ahead = t > 0.0 ? t : miss;
+  // From a surface, hits within a thousandth of the radius are in doubt; others are rare.
+  if (mayStartThere && Any(t * t < 0x1p-20 * (sphere.R * sphere.R) * inverseSquare))
+  {
+    ahead = IsOnSurface(f, sphere) ? (chord.T0 > 0.0 ? far : miss) : ahead;
+  }
   return discriminant > 0.0 ? ahead : miss;
 }
 
-/// The unit normal, out of the sphere, where HitSphere() found a hit; from the perpendicular, so
-/// that it keeps its digits however far away the origin is.
+/// The unit normal, out of the sphere, of the hit at t; from the perpendicular, so that it keeps
+/// its digits however far away the origin is.
 template <typename Real>
 inline void NormalAt(const Real (&f)[3], const Real& r, const Real (&d)[3],
-  const Real& inverseSquare, Real (&normal)[3])
+  const Real& inverseSquare, const Real& t, Real (&normal)[3])
 {
   const Chord<Real> chord(f, d, inverseSquare);
   const Real half = Sqrt(chord.Discriminant(r) * inverseSquare);
-  const Real along = chord.T0 - half > 0.0 ? -half : half;
+  const Real along = t > chord.T0 ? half : -half;
   for (int axis = 0; axis < 3; ++axis)
   {
     normal[axis] = along * d[axis] - chord.L[axis];
@@ -123,10 +145,10 @@ inline void NormalAt(const Real (&f)[3], const Real& r, const Real (&d)[3],
 }
 
 inline void NormalAt(
-  const Ray& ray, const Sphere& sphere, double inverseSquare, double (&normal)[3])
+  const Ray& ray, const Sphere& sphere, double inverseSquare, double t, double (&normal)[3])
 {
   const double f[3] = { sphere.X - ray.O[0], sphere.Y - ray.O[1], sphere.Z - ray.O[2] };
-  NormalAt<double>(f, sphere.R, ray.D, inverseSquare, normal);
+  NormalAt<double>(f, sphere.R, ray.D, inverseSquare, t, normal);
 }
 
 /// Primary rays meet every surface, from inside of a sphere as well.
@@ -138,7 +160,7 @@ struct PrimaryRay
   double Hit(const Ray& ray, const Sphere& sphere, double inverseSquare, std::int64_t) const
   {
     const double f[3] = { sphere.X - ray.O[0], sphere.Y - ray.O[1], sphere.Z - ray.O[2] };
-    return HitSphere<double>(f, sphere.R, ray.D, inverseSquare);
+    return HitSphere<double>(f, sphere, ray.D, inverseSquare);
   }
 };
 
