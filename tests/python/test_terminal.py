@@ -149,7 +149,13 @@ def test_a_traceback_is_harmless(tmp_path):
     """An exception that nobody catches is printed by Python as it is."""
     path = tmp_path / f"{ODD}.spheres"
     code = "import spherepacking, sys; spherepacking.{}"
-    for call in ("read(sys.argv[1])", "write(spherepacking.apollonian(1), sys.argv[1] + '/a.csv')"):
+    for call in (
+        "read(sys.argv[1])",
+        "write(spherepacking.apollonian(1), sys.argv[1] + '/a.csv')",
+        "read_image(sys.argv[1])",
+        "write_image(sys.argv[1], [[1.0]])",
+        "write_image(sys.argv[1] + '/a.png', [[1.0]])",
+    ):
         done = subprocess.run(
             [sys.executable, "-c", code.format(call), path],
             capture_output=True,
