@@ -23,6 +23,7 @@ _NAMES = frozenset(
     (b"o", b"g", b"mtllib", b"usemtl", b"maplib", b"usemap", b"shadow_obj", b"trace_obj")
 )
 _DRAWING = frozenset((b"s", b"mg", b"bevel", b"c_interp", b"d_interp", b"lod"))
+_LARGEST = 2**62  # so that it stays an integer of 64 bits
 _CORNER = "three or more points by their numbers, from 1 on, or from -1 down"
 
 
@@ -90,10 +91,12 @@ def _corners(rows: SurfaceRows, words: list[bytes], n_points: int) -> list[int]:
         if further:
             rows.integers(further, _CORNER)
     ids = rows.integers(corners, _CORNER)
-    if min(ids) < 0:
-        ids = [i + n_points + 1 if i < 0 else i for i in ids]
-    if min(ids) < 1:
+    if max(ids) > _LARGEST:
         rows.refuse(_CORNER)
+    if min(ids) < 1:
+        ids = [i + n_points + 1 if i < 0 else i for i in ids]
+        if min(ids) < 1:
+            rows.refuse(_CORNER)
     return [i - 1 for i in ids]
 
 

@@ -16,6 +16,8 @@ if TYPE_CHECKING:
 
     from .ply_header import PlyElement, PlyHeader
 
+_LARGEST = 2**62  # so that it is an integer of 64 bits
+
 
 class BinaryBody:
     """Reads what follows a header in binary, element by element.
@@ -182,7 +184,10 @@ class TextBody:
                     self._rows.refuse(expected)
                 if p.name in names:
                     numbers.append(size)
-                    numbers.extend(self._rows.integers(part, expected))
+                    ids = self._rows.integers(part, expected)
+                    if max(map(abs, ids)) > _LARGEST:
+                        self._rows.refuse(expected)
+                    numbers.extend(ids)
                 else:
                     self._rows.numbers(part, expected)
                 at += size

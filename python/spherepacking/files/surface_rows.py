@@ -52,7 +52,11 @@ class SurfaceRows:
         first: int = 1,
         goes_on: bytes = b"",
     ) -> None:
-        self._path, self._comment, self._goes_on = path, comment, goes_on
+        # What is nowhere need not be looked for in each line.
+        self._path = path
+        self._comment = comment if comment in data else b""
+        self._goes_on = goes_on if goes_on in data else b""
+        self._underlined = b"_" in data
         self._lines = data.removeprefix(_MARK).splitlines()
         self._next = 0
         self._first = first
@@ -110,7 +114,8 @@ class SurfaceRows:
     def integers(self, words: Sequence[bytes], expected: str) -> list[int]:
         """Take words of a row for integers, of which there must be one, or refuse the row."""
         try:
-            if words and _OF_NUMBERS.fullmatch(b"".join(words)):
+            # Of what int() takes underlines alone are odd.
+            if words and not (self._underlined and b"_" in b"".join(words)):
                 return list(map(int, words))
         except ValueError:
             pass
