@@ -15,7 +15,7 @@ import numpy as np
 import pyvista as pv
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterable, Sequence
 
     from numpy.typing import ArrayLike
     from pyvista.plotting._typing import ColorLike
@@ -83,6 +83,13 @@ def shown(value: object) -> str:
         return kind_of(value)
     text = " ".join(repr(value).split())
     return text if len(text) <= 80 else f"{text[:77]}..."
+
+
+def some_of(values: Iterable[object], most: int = 10) -> str:
+    """The first of `values` as they stand in a message, and how many there are if not all."""
+    every = list(values)
+    text = ", ".join(" ".join(str(value).split())[:80] for value in every[:most])
+    return text if len(every) <= most else f"{text}, ... ({len(every)} in all)"
 
 
 def numbers_of(value: object) -> np.ndarray | None:

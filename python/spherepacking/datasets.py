@@ -53,6 +53,7 @@ def packing_of(dataset: object, radius: RadiusLike | None = None) -> pv.PolyData
         if radius is None or (isinstance(radius, str) and radius not in packing.point_data):
             _take_cell_arrays(packing, wrapped)
     else:
+        check_blocks(wrapped, radius)
         packing = centres_of(wrapped, radius if isinstance(radius, str) else None)
     return with_radius_array(packing, radius)
 
@@ -189,6 +190,43 @@ def centres_of(dataset: Any, radius: str | None = None) -> pv.PolyData:
     packing = blocks[0] if blocks else pv.PolyData()
     _add_field_arrays(packing, dataset)
     return packing
+
+
+def check_blocks(dataset: Any, radius: RadiusLike | None) -> None:
+    """Raise a ValueError if some blocks have radii and others none.
+
+    Parameters
+    ----------
+    dataset : pyvista.DataSet or pyvista.MultiBlock
+        Where it is composite, each block with points must have them, or none.
+    radius : str, float, array_like or mapping, optional
+        As in :func:`packing_of`: only what names an array, or nothing, is looked for in blocks.
+    """
+    if isinstance(dataset, pv.DataSet) or not (radius is None or isinstance(radius, str)):
+        return
+    having: list[str | int] = []
+    lacking: list[str | int] = []
+    for name, block in _named_blocks(dataset):
+        arrays = [*block.point_data, *block.cell_data]
+        found = radius in arrays if radius is not None else radius_name_in(arrays) is not None
+        if block.n_points:
+            (having if found else lacking).append(name)
+    if having and lacking:
+        raise ValueError(
+            f"radius: found no radii in the block {lacking[0]!r}, but in {having[0]!r}, expected "
+            "radii in every block, or the blocks with spheres alone, such as "
+            f"pyvista.read(PATH)[{having[0]!r}]"
+        )
+
+
+def _named_blocks(dataset: Any) -> Iterator[tuple[str | int, pv.DataSet]]:
+    """All datasets in a composite one, in order, by name or else by number."""
+    for i, block in enumerate(dataset):
+        name = dataset.get_block_name(i) if isinstance(dataset, pv.MultiBlock) else None
+        if isinstance(block, pv.DataSet):
+            yield i if name is None else name, block
+        elif isinstance(block, (pv.MultiBlock, pv.PartitionedDataSet)):
+            yield from _named_blocks(block)
 
 
 def _blocks_of(dataset: Any) -> Iterator[pv.DataSet]:

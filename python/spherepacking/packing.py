@@ -7,17 +7,16 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from .checks import some_of
 from .printable import printable
 
 if TYPE_CHECKING:
     import pyvista as pv
 
-_LONGEST = 800  # characters of the names of arrays
-
 
 def no_such_array(argument: str, name: str, packing: pv.PolyData) -> KeyError:
     """Make the error that says which arrays there are."""
-    there = printable(", ".join(packing.point_data.keys()) or "none", _LONGEST)
+    there = printable(some_of(packing.point_data.keys(), 30) or "none")
     hint = " (there is a cell array of that name)" if name in packing.cell_data else ""
     advice = ""
     if argument == "radius":

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .checks import per_sphere, storable
+from .checks import per_sphere, some_of, storable
 from .packing import no_such_array
 from .size_names import diameters_in
 
@@ -28,8 +28,9 @@ _NAMES = (
 )
 # Beside one of these, r may be the distance of cylindrical or spherical coordinates.
 _ANGLES = ("theta", "phi", "azimuth")
-# Arrays that say of what type a sphere is; the first that fits is taken, then any other of text.
-_TYPES = ("type_name", "element", "type", "species", "name")
+# Arrays that say of what type a sphere is, in lower case; the first that fits is taken, then any
+# other of text.
+_TYPES = ("type_name", "element", "type", "species", "kind", "material", "matid", "name")
 
 _WHOLE = re.compile(r"[+-]?[0-9]+")
 
@@ -150,7 +151,8 @@ def given_radii(packing: pv.PolyData, radius: RadiusLike) -> np.ndarray:
         Name of a point array, halved where that says diameters, in the words of
         :func:`spherepacking.size_names.diameters_in`; one radius for all spheres; n
         radii; or one per type, by numbers or texts of the point array ``type``, ``type_name``,
-        ``element``, ``species`` or ``name``, or by texts of another.
+        ``element``, ``species``, ``kind``, ``material`` or ``name``, in any case, or by texts of
+        another.
 
     Returns
     -------
@@ -201,15 +203,15 @@ def _by_type(packing: pv.PolyData, radius: Mapping[int, float] | Mapping[str, fl
     texts = [key for key in radius if isinstance(key, str)]
     if not radius or (len(numbers) < len(radius) and len(texts) < len(radius)):
         raise TypeError(
-            f"radius: found the keys {', '.join(map(repr, radius)) or '(none)'}, expected "
+            f"radius: found the keys {some_of(map(repr, radius)) or '(none)'}, expected "
             "whole numbers or texts that are types"
         )
     candidates = _type_arrays(packing, texts)
     if not candidates:
         raise KeyError(
-            f"radius: found the types {', '.join(map(str, radius))} and no point array of types, "
+            f"radius: found the types {some_of(radius)} and no point array of types, "
             f"such as type or element, its point arrays are: "
-            f"{', '.join(packing.point_data) or 'none'}"
+            f"{some_of(packing.point_data, 30) or 'none'}"
         )
     first: list[str] = []
     for name in candidates:
@@ -221,8 +223,8 @@ def _by_type(packing: pv.PolyData, radius: Mapping[int, float] | Mapping[str, fl
             return np.array([table[kind] for kind in types.tolist()])[which.reshape(-1)]
         first = first or missing
     raise KeyError(
-        f"radius: found no radius for {', '.join(first[:10])} of the array {candidates[0]!r}, "
-        f"expected one for each type beside those of {', '.join(map(str, radius))}"
+        f"radius: found no radius for {some_of(first)} of the array {candidates[0]!r}, "
+        f"expected one for each type beside those of {some_of(radius)}"
     )
 
 
@@ -239,12 +241,18 @@ def _type_arrays(packing: pv.PolyData, texts: list[str]) -> list[str]:
     arrays = {name: np.asarray(packing.point_data[name]) for name in packing.point_data}
     plain = {name: array.dtype.kind for name, array in arrays.items() if array.ndim == 1}
     ranks = {name: i for i, name in enumerate(_TYPES)}
+    known = [name for name in plain if name.lower() in ranks]
+
+    def rank(name: str) -> tuple[int, bool]:
+        # Of names that differ in case alone, the one in lower case comes first.
+        return ranks.get(name.lower(), len(ranks)), not name.islower()
+
     # Of equal names of types, texts are looked for in texts first, and numbers in `type`.
-    in_text = sorted(
-        (name for name, kind in plain.items() if kind in "US"),
-        key=lambda name: ranks.get(name, len(ranks)),
+    in_text = sorted((name for name, kind in plain.items() if kind in "US"), key=rank)
+    in_numbers = sorted(
+        (name for name in known if plain[name] in "iuf"),
+        key=lambda name: (name.lower() != "type", *rank(name)),
     )
-    in_numbers = [name for name in ("type", *_TYPES) if plain.get(name, "") in ("i", "u", "f")]
     if not texts:
-        return list(dict.fromkeys([*in_numbers, *(name for name in in_text if name in ranks)]))
+        return in_numbers + [name for name in in_text if name in known]
     return in_text + (in_numbers if all(map(_WHOLE.fullmatch, texts)) else [])

@@ -72,6 +72,24 @@ def test_info_of_a_step(run, capfd):
     assert "x        -1 .. 5.5" in ask(capfd, "info", run, "--step", "-3")[1]
 
 
+def test_a_step_by_its_time(run, tmp_path, capfd):
+    status, out, err = ask(capfd, "info", run, "--time", "10")
+    assert (status, err) == (0, "")
+    assert "radius   1 .. 1.5," in out
+    status, _, err = ask(
+        capfd, "convert", run, tmp_path / "a.csv", "--time", "0", "--radius", "heat"
+    )
+    assert (status, err.count("the first")) == (0, 0)
+    assert spherepacking.read(tmp_path / "a.csv")["radius"].tolist() == [5, 9]
+
+
+def test_convert_names_all_formats(run, tmp_path, capfd):
+    status, _, err = ask(capfd, "convert", run, tmp_path / "a.gsd", "--step", "0")
+    assert status == 2
+    for extension in (".spheres", ".csv", ".dump", ".xyz", ".vtp", ".vtu", ".vtk"):
+        assert extension in err
+
+
 def test_info_of_cells_and_texts(capfd):
     from spherepacking.cli.info import describe
 
@@ -309,7 +327,13 @@ def test_a_step_of_a_run_and_which_one_was_taken(run, tmp_path, capfd):
         (["-o", "a_%d.png", "--steps", "9:"], "--steps: found 9:, expected some of the 4 steps"),
         (["-o", "a_%d.png", "--steps", "x"], "--steps: found x"),
         (["-o", "a_%d.png", "--steps", ":", "--step", "1"], "--step: found with --steps"),
+        (["-o", "a_%d.png", "--steps", ":", "--time", "10"], "--time: found with --steps"),
+        (["-o", "a_%02d.png"], "--output: found a_%02d.png, which has a place for the numbers of"),
+        (["-o", "a_%d.png", "--step", "1"], "expected --steps with it, such as --steps :"),
         (["-o", "a.png", "--step", "4"], "--step: found 4, expected -4 to 3"),
+        (["-o", "a.png", "--time", "15"], "--time: found 15.0, expected one of 0, 10, 20, 30"),
+        (["-o", "a.png", "--time", "nan"], "--time: found nan, expected a number"),
+        (["-o", "a.png", "--time", "10", "--step", "1"], "--time: found step and time, expected"),
         (["-o", "a_%d.png", "--steps", ":", "--scalars", "no"], "--scalars: found no array 'no'"),
         (["-o", "a_%d.png", "--steps", ":", "--fps", "0"], "--fps: found 0"),
     ],

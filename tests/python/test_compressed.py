@@ -178,11 +178,29 @@ def test_a_damaged_file(tmp_path, extension):
 @pytest.mark.parametrize("extension", COMPRESS)
 def test_what_is_not_compressed(tmp_path, extension):
     path = tmp_path / f"a.spheres{extension}"
-    path.write_bytes(TEXT)
-    with pytest.raises(
-        spherepacking.PackingFileError, match=f"not compressed by {NAMES[extension]}"
-    ):
+    for data in (b"", b"\0" + TEXT, TEXT + b"\x1b", TEXT + b"\xff", TEXT.decode().encode("utf-16")):
+        path.write_bytes(data)
+        with pytest.raises(
+            spherepacking.PackingFileError, match=f"not compressed by {NAMES[extension]}"
+        ):
+            spherepacking.read(path)
+
+
+@pytest.mark.parametrize("extension", COMPRESS)
+def test_text_by_the_name_of_a_compressed_file(tmp_path, temporary, extension):
+    path = tmp_path / f"a.csv{extension}"
+    path.write_bytes(b"d,z,y,x,\xc3\xa9\n2,3,2,1,\n4,6,5,4,7\n")
+    packing = spherepacking.read(path)
+    assert packing.points.tolist() == [[1, 2, 3], [4, 5, 6]]
+    assert packing["radius"].tolist() == [1, 2]
+    assert np.isnan(packing["\u00e9"][0])
+    path.write_bytes(b"x,y,z,r\n1,2,3,-4\n")
+    with pytest.raises(spherepacking.PackingFileError) as caught:
         spherepacking.read(path)
+    assert str(caught.value).startswith(f"{path}, line 2: found '-4' as radius")
+    # A letter may be cut where the look at the file ends.
+    path.write_bytes(b"#" + 4094 * b"a" + b"\xc3\xa9\nx,y,z,r\n1,2,3,4\n")
+    assert spherepacking.read(path)["radius"].tolist() == [4]
 
 
 def test_errors_have_the_name_that_the_user_knows(tmp_path, temporary):

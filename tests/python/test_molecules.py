@@ -246,10 +246,25 @@ def test_elements_without_radius(write, element, called):
 
 
 @needs_gemmi
+def test_an_unknown_element_is_told_by_its_atom(write):
+    line = "ATOM      1  QX  ALA A   7      12.250   7.125  -5.375  1.00  9.50           Q\n"
+    path = write(line.replace(" Q\n", " N\n").replace("QX", "N ") + line, "p.pdb")
+    with pytest.raises(PackingFileError) as caught:
+        spherepacking.read(path)
+    assert str(caught.value) == (
+        f"{path}: found atoms of X, which has no van der Waals radius (X stands for elements that "
+        "are not known, as of the atom QX of residue ALA 7), expected one, such as "
+        "radius={'X': 1.5}"
+    )
+
+
+@needs_gemmi
 def test_all_elements_without_radius_are_named(write):
     path = write(CIF.replace("1 N N .", "1 X N .").replace("2 O O", "2 Og O"), "p.cif")
     with pytest.raises(PackingFileError, match="atoms of Og, X, which"):
         spherepacking.read(path)
+    with pytest.raises(PackingFileError, match=r"of Og, which has no .* radius, expected"):
+        spherepacking.read(path, radius={"X": 1.0})
     with pytest.raises(PackingFileError, match=r"atoms of X, .* radius=\{'X': 1.5\}"):
         spherepacking.read(path, radius={"Og": 1.0})
 

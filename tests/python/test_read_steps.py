@@ -2,6 +2,7 @@
 
 import gzip
 import json
+from time import perf_counter, sleep
 
 import numpy as np
 import pytest
@@ -66,6 +67,59 @@ def test_what_is_handed_out_belongs_to_nobody_else(dump):
     first["radius"][:] = 9.0
     assert again.points[0, 0] == steps[0].points[0, 0] == 0.0
     assert again["radius"].tolist() == steps[0]["radius"].tolist() == [0.5]
+
+
+def seconds_per_step(steps):
+    """The least time of three in which each of 50 steps was read."""
+    every = max(1, len(steps) // 50)
+    found = []
+    for _ in range(3):
+        start = perf_counter()
+        for i in range(0, 50 * every, every):
+            assert steps[i].points[0, 0] == i
+        found.append((perf_counter() - start) / 50)
+    return min(found)
+
+
+XYZ = "1\nProperties=species:S:1:pos:R:3:radius:R:1 Time={step}\nC {x} 0 0 0.5\n"
+MERCURY = "1 {step} 0 0 0 9 9 9\n{x} 0 0 0 0 0 0.5 0 0 0 0 0 0 0\n"
+
+
+@pytest.mark.parametrize(
+    ("name", "text"), [("a.dump", DUMP), ("a.xyz", XYZ), ("a.data", MERCURY)], ids=["d", "x", "m"]
+)
+def test_a_step_of_a_long_run_takes_no_longer(tmp_path, name, text):
+    runs = []
+    for count in (200, 40_000):
+        path = tmp_path / f"{count}_{name}"
+        path.write_text("".join(text.format(step=10 * i, x=i) for i in range(count)))
+        runs.append(path)
+    sleep(2.1)  # a file that was written just now is looked at again
+    short, long = (seconds_per_step(spherepacking.steps(path)) for path in runs)
+    assert long < 2.5 * short
+
+
+def test_a_run_that_goes_on_while_it_is_read(dump):
+    reader = pv.get_reader(dump)
+    reader.set_active_time_point(4)
+    assert reader.read().points[0, 0] == 4.0
+    # A restart repeats the times, so that VTK calls the steps by other numbers.
+    with dump.open("a") as file:
+        file.write("".join(DUMP.format(step=10 * i, x=100 + i) for i in range(2)))
+    reader.reader.Modified()
+    assert reader.number_time_points == 7
+    assert reader.time_values == [0.0, 10.0, 20.0, 30.0, 40.0, 0.0, 10.0]
+    assert reader.read().points[0, 0] == 4.0
+    reader.set_active_time_point(6)
+    assert reader.read().points[0, 0] == 101.0
+    with pytest.raises(ValueError, match=r"time points 0, 5"):
+        reader.set_active_time_value(0.0)
+    reader.set_active_time_value(30)
+    assert reader.active_time_value == 30.0
+    assert reader.read().points[0, 0] == 3.0
+    for nothing in (7.0, float("nan"), "30", None, [30.0]):
+        with pytest.raises(ValueError, match="time_value: found"):
+            reader.set_active_time_value(nothing)
 
 
 @pytest.mark.parametrize(
@@ -522,6 +576,12 @@ OTHERS = {
     "a.off": (b"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "found a surface"),
     "a.gro": (b"water\n1\n    1SOL OW 1 0.1 0.2 0.3\n 1 1 1\n", "no radii, .*radius="),
     "a.h5": (b"\x89HDF\r\n\x1a\n" + bytes(100), "found an HDF5 file"),
+    "a.npz": (b"PK\x03\x04" + bytes(100), "found arrays of NumPy, .*savetxt"),
+    "a.xlsx": (b"PK\x03\x04" + bytes(100), "found a workbook of Excel, .*saved as CSV"),
+    "a.txt": (b'[{"x":1,"y":2,"z":3,"r":1},{"x":1,"y":2,"z":3,"r":1}]\n', "found a file in JSON"),
+    "a.csv": (b'{\n  "spheres": [[1, 2, 3, 1]]}\n', "found a file in JSON, expected text: x y z r"),
+    "a.xyzr": (b"[[1, 2, 3, 0.5],\n [1, 2, 3, 0.5]]\n", "found a file in JSON"),
+    "a.json": (b"[1, 2, 3, 0.5]\n", "found a file in JSON"),
     "a.zip": (b"PK\x03\x04" + bytes(100), "found a zip archive"),
     "a.spheres": (b"\x89PNG\r\n\x1a\n" + bytes(100), "found a picture"),
     "a.npy": (b"\x93NUMPY\x01\x00", "found an array of NumPy, .*savetxt"),

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 import pyvista as pv
 import spherepacking
+from spherepacking.datasets import packing_of
 
 LEGACY = """# vtk DataFile Version 3.0
 made up
@@ -102,6 +103,20 @@ def test_blocks(tmp_path):
     assert packing.points.tolist() == [*POINTS.tolist(), *(POINTS + 10.0).tolist()]
     assert packing["radius"].tolist() == RADII * 2
     assert packing["id"].tolist() == [7, 9, 7, 9]
+
+
+def test_blocks_of_which_one_has_no_radii(tmp_path):
+    wall = pv.Plane(i_resolution=1, j_resolution=1)
+    pv.MultiBlock({"grains": dataset("PolyData"), "wall": wall}).save(tmp_path / "a.vtm")
+    expected = r"found no radii in the block 'wall', but in 'grains', expected"
+    with pytest.raises(spherepacking.PackingFileError, match=expected):
+        spherepacking.read(tmp_path / "a.vtm")
+    with pytest.raises(spherepacking.PackingFileError, match=expected):
+        spherepacking.read(tmp_path / "a.vtm", radius="radius")
+    with pytest.raises(ValueError, match=expected):
+        packing_of(pv.read(tmp_path / "a.vtm"))
+    assert spherepacking.read(tmp_path / "a.vtm", radius=0.5).n_points == 6
+    assert packing_of(pv.read(tmp_path / "a.vtm")["grains"]).n_points == 2
 
 
 def test_an_image(tmp_path):

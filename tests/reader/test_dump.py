@@ -297,10 +297,11 @@ def test_a_general_cell(read_text):
 
 
 @pytest.mark.parametrize("bounds", ["", "xy xz yz"])
-def test_without_flags_a_cell_is_periodic(read_text, bounds):
+def test_without_flags_a_cell_is_not_periodic(read_text, bounds):
     box = ["0 1 0" if bounds else "0 1"] * 3
     packing = read_text(step(0, COLUMNS, ROWS, bounds=bounds, box=box), "p.dump")
-    assert packing.field_data["cell_periodic"].tolist() == [1, 1, 1]
+    assert packing.field_data["cell_periodic"].tolist() == [0, 0, 0]
+    assert packing.field_data["cell_vectors"].ravel().tolist() == [1, 0, 0, 0, 1, 0, 0, 0, 1]
 
 
 def test_no_atoms(tmp_path, read_steps):

@@ -154,6 +154,19 @@ def test_samples_by_content_in_any_order(read_text, ids):
     assert read_text(text, "p.txt")["radius"].tolist() == [2, 0.5, 0.5]
 
 
+def test_an_extended_swc_file(read_text):
+    text = (
+        "#name a\n##n,type,x,y,z,radius,parent,seg_id,level,mode,timestamp,teraflyindex\n"
+        "1 2 0.5 1.5 2.5 6.25 -1 0 1 0 16000 7\n2 2 1.5 1.5 2.5 0.5 1 0 2 0 16001 7\n"
+    )
+    packing = read_text(text, "p.eswc")
+    assert packing.points.tolist() == [[0.5, 1.5, 2.5], [1.5, 1.5, 2.5]]
+    assert packing["radius"].tolist() == [6.25, 0.5]
+    assert packing["parent"].tolist() == [-1, 1]
+    assert packing["column_9"].tolist() == [1, 2]
+    assert packing["column_11"].tolist() == [16000, 16001]
+
+
 def test_a_swc_file_by_name_may_be_in_any_order_and_have_further_columns(read_text):
     packing = read_text("2 3 1 0 0 0.5 1 9\n1 1 0 0 0 2 -1 8\n", "p.swc")
     check(packing, [(1, 0, 0, 0.5), (0, 0, 0, 2)])

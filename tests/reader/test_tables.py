@@ -424,7 +424,9 @@ class TestRadiusOptional:
         assert packing["m"].tolist() == [0.75, 0.5]
         assert packing.array_names == ["m"]
 
-    @pytest.mark.parametrize("text", [FOUR, "x y z d\n1 2 3 4\n", "# r x y z\n1 2 3 4\n"])
+    @pytest.mark.parametrize(
+        "text", ["# x y z r\n" + FOUR, "x y z d\n1 2 3 4\n", "# r x y z\n1 2 3 4\n"]
+    )
     def test_radii_that_are_there_are_read(self, read_text, text):
         optional = read_text(text, optional=True)
         assert spheres(optional) == spheres(read_text(text))

@@ -256,3 +256,14 @@ def test_sizes_by_other_names(read_text, name, row, radius):
 def test_sizes_that_are_not_certain(read_text, name, row, found):
     with pytest.raises(Exception, match=rf"p\.xyz, line 2: found {found}"):
         read_text(extended(f"Properties=pos:R:3:{name}", f"1 2 3 {row}\n"), "p.xyz")
+
+
+def test_names_are_not_given_to_columns_that_have_them(read_error, tmp_path):
+    path = tmp_path / "p.xyz"
+    path.write_text("1\nProperties=species:S:1:pos:R:3:radius:R:1\nC 1 2 3 0.5\n")
+    for columns in ("element x y z d", "element x y z radius"):
+        message, _ = read_error(path, columns=columns)
+        assert message == (
+            f"{path}, line 2: found names of columns for atoms whose Properties say what their "
+            "columns are, expected none"
+        )

@@ -93,6 +93,7 @@ class vtkSpherePackingReader::Internals
 public:
   TimeStepCache Steps;
   vtkNew<vtkDoubleArray> StepTimes;
+  int Announced = 0; // after how many searches the time steps of the output were set
 };
 
 vtkStandardNewMacro(vtkSpherePackingReader);
@@ -122,6 +123,7 @@ void vtkSpherePackingReader::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Columns: " << (this->Columns ? this->Columns : "(none)") << "\n";
   os << indent << "RadiusOptional: " << this->RadiusOptional << "\n";
   os << indent << "ErrorMessage: " << this->ErrorMessage << "\n";
+  os << indent << "RadiusName: " << this->RadiusName << "\n";
 }
 
 //------------------------------------------------------------------------------
@@ -130,11 +132,17 @@ int vtkSpherePackingReader::RequestInformation(
 {
   using SDDP = vtkStreamingDemandDrivenPipeline;
   vtkInformation* outInfo = outputVector->GetInformationObject(0);
-  outInfo->Remove(SDDP::TIME_STEPS());
-  outInfo->Remove(SDDP::TIME_RANGE());
-  this->Internal->StepTimes->Initialize();
+  Internals& internal = *this->Internal;
+  const auto forget = [&]
+  {
+    outInfo->Remove(SDDP::TIME_STEPS());
+    outInfo->Remove(SDDP::TIME_RANGE());
+    internal.StepTimes->Initialize();
+    internal.StepTimes->Modified();
+  };
   if (!this->FileName)
   {
+    forget();
     return 1;
   }
   const auto work = [&]
@@ -143,21 +151,33 @@ int vtkSpherePackingReader::RequestInformation(
     format = format == Format::Auto ? GuessFormat(this->FileName) : format;
     if (!HasSteps(format))
     {
+      forget();
       return;
     }
     spherepacking::Progress progress(this);
-    const TimeSteps& steps = this->Internal->Steps.Find(format, this->FileName, progress);
+    const TimeSteps& steps = internal.Steps.Find(format, this->FileName, progress);
+    // A loop over all steps asks at each of them.
+    if (outInfo->Has(SDDP::TIME_STEPS()) && internal.Announced == internal.Steps.Searches())
+    {
+      return;
+    }
+    forget();
     for (const TimeStep& step : steps.Steps)
     {
-      this->Internal->StepTimes->InsertNextValue(step.Time.value_or(vtkMath::Nan()));
+      internal.StepTimes->InsertNextValue(step.Time.value_or(vtkMath::Nan()));
     }
+    internal.Announced = internal.Steps.Searches();
     const std::vector<double>& times = steps.Values;
     const double range[2] = { times.front(), times.back() };
     outInfo->Set(SDDP::TIME_STEPS(), times.data(), static_cast<int>(times.size()));
     outInfo->Set(SDDP::TIME_RANGE(), range, 2);
   };
   // RequestData() meets the same error.
-  RunGuarded(this, this->ErrorMessage, this->OutOfMemory(), work, Report::Later);
+  if (RunGuarded(this, this->ErrorMessage, this->OutOfMemory(), work, Report::Later) !=
+    Outcome::Done)
+  {
+    forget();
+  }
   return 1;
 }
 
@@ -195,6 +215,7 @@ int vtkSpherePackingReader::RequestData(
 //------------------------------------------------------------------------------
 void vtkSpherePackingReader::ReadFile(vtkInformation* outInfo, vtkPolyData* output)
 {
+  this->RadiusName.clear();
   if (!this->FileName || !*this->FileName)
   {
     throw PackingFileError(
@@ -220,8 +241,15 @@ void vtkSpherePackingReader::ReadFile(vtkInformation* outInfo, vtkPolyData* outp
   }
   else
   {
-    ReadWhole(format, file, options, progress).MoveTo(output);
+    this->TakeArrays(ReadWhole(format, file, options, progress), output);
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkSpherePackingReader::TakeArrays(PackingArrays arrays, vtkPolyData* output)
+{
+  this->RadiusName = arrays.GetRadiusName();
+  arrays.MoveTo(output);
 }
 
 //------------------------------------------------------------------------------
@@ -240,6 +268,6 @@ void vtkSpherePackingReader::ReadStep(spherepacking::Format format, const std::s
   const auto read = format == Format::Dump ? ReadDump
     : format == Format::Xyz                ? ReadXyz
                                            : ReadMercury;
-  read(file, steps.Steps[chosen], options, progress).MoveTo(output);
+  this->TakeArrays(read(file, steps.Steps[chosen], options, progress), output);
   output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), steps.Values[chosen]);
 }

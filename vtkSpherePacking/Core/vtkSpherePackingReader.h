@@ -23,7 +23,7 @@
  * | MERCURY     | .data, any other             | .data of MercuryDPM, in three dimensions or two  |
  * | DOCK        | .sph, by content             | clusters of spheres by sphgen, array `cluster`   |
  * | HOLE        | .sph, by content             | spheres of a pore, arrays `plane`, `end`, `name` |
- * | SWC         | .swc, or by content          | `id type x y z radius parent` of a neuron        |
+ * | SWC         | .swc, .eswc, or by content   | `id type x y z radius parent` of a neuron        |
  * | GENGEO      | .geo, or by content          | particles and box of GenGeo, ESyS-Particle       |
  * | MEDIAL_AXIS | .ma, or by content           | vertices of a medial mesh                        |
  * | KRATOS      | .mdpa, or by content         | nodes of Kratos that have a radius               |
@@ -85,9 +85,9 @@
  * The simulation cell of a file, such as a dump or an extended XYZ, becomes the field arrays
  * `cell_vectors` (three tuples a, b, c), `cell_origin` and `cell_periodic` (1 for periodic). Files
  * of LAMMPS data and IMD do not say along which axes their cells are periodic and count as periodic
- * along all, which is the default of these programs, a MercuryDPM file along none; in two
- * dimensions that has no cell, and z is 0. Components vx, vy, vz also become one array `velocity`,
- * and so on.
+ * along all, which is the default of these programs, a MercuryDPM file and a dump whose BOX BOUNDS
+ * have no flags along none. A MercuryDPM file in two dimensions has no cell, and z is 0. Components
+ * vx, vy, vz also become one array `velocity`, and so on.
  *
  * A last line without a line end is an error in what only programs write: dumps, LAMMPS data,
  * MercuryDPM, extended XYZ, IMD, PackLSD, trees of the toolkit and the atoms of PQR. They end every
@@ -114,6 +114,7 @@
 
 namespace spherepacking
 {
+class PackingArrays;
 class Progress;
 enum class Format;
 struct ReadOptions;
@@ -217,6 +218,12 @@ public:
   vtkDoubleArray* GetStepTimes() const;
 
   /**
+   * What the file calls the column that has become the array `radius`, such as `d`, as of the last
+   * update; `radius` where it has no name, and empty where there are no radii.
+   */
+  const char* GetRadiusName() const { return this->RadiusName.c_str(); }
+
+  /**
    * The error of the last update, in one sentence; empty when there was none.
    */
   const char* GetErrorMessage() const { return this->ErrorMessage.c_str(); }
@@ -238,6 +245,7 @@ private:
   void ReadStep(spherepacking::Format format, const std::string& file,
     const spherepacking::ReadOptions& options, spherepacking::Progress& progress,
     vtkInformation* outInfo, vtkPolyData* output);
+  void TakeArrays(spherepacking::PackingArrays arrays, vtkPolyData* output);
   std::string OutOfMemory() const;
 
   char* FileName = nullptr;
@@ -247,6 +255,7 @@ private:
   char* Columns = nullptr;
   bool RadiusOptional = false;
   std::string ErrorMessage;
+  std::string RadiusName;
 
   class Internals;
   std::unique_ptr<Internals> Internal;

@@ -58,6 +58,11 @@ def is_movie(output: Path) -> bool:
     return output.suffix.lower() in MOVIES
 
 
+def has_number(output: Path) -> bool:
+    """Whether the name has a place for the number of a step."""
+    return _NUMBER.search(output.name) is not None
+
+
 def check_frames(output: Path, size: tuple[int, int]) -> None:
     """Raise unless the pictures of several steps could be written.
 

@@ -30,6 +30,8 @@ class InputOptions:
     ----------
     step
         Index of the step, negative from the end; the first by default.
+    time
+        Instead of the index, the time that the file gives the step.
     radius
         Radii, for files without: a number, the name of a column or array, or one number for each
         type, such as 1=0.5,2=0.3 or C=1.7,H=1.1.
@@ -38,6 +40,7 @@ class InputOptions:
     """
 
     step: Whole | None = None
+    time: float | None = None
     radius: str | None = None
     columns: str | None = None
 
@@ -50,7 +53,7 @@ def open_steps(path: Path, options: InputOptions) -> PackingSteps:
     return steps(path, radius=radius, columns=options.columns, progress=sys.stderr.isatty())
 
 
-def read_step(steps: PackingSteps, path: Path, step: int | None) -> pv.PolyData:
+def read_step(steps: PackingSteps, path: Path, options: InputOptions) -> pv.PolyData:
     """Read the step that was asked for; which one was taken is said if none was.
 
     Parameters
@@ -59,8 +62,8 @@ def read_step(steps: PackingSteps, path: Path, step: int | None) -> pv.PolyData:
         Steps of the file.
     path : pathlib.Path
         File, for messages.
-    step : int, optional
-        Index of the step.
+    options : InputOptions
+        Which step was asked for.
 
     Returns
     -------
@@ -73,11 +76,11 @@ def read_step(steps: PackingSteps, path: Path, step: int | None) -> pv.PolyData:
         If there is no such step.
     """
     try:
-        index = steps.index_of(step)
-    except ValueError as error:
+        index = steps.index_of(options.step, options.time)
+    except (TypeError, ValueError) as error:
         raise ValueError(f"--{error}") from None
     packing = steps[index]
-    if step is None and len(steps) > 1:
+    if options.step is None and options.time is None and len(steps) > 1:
         times = steps[index : index + 1].times
         at = f", of time {times[0]:g}" if times else ""
         print(

@@ -89,7 +89,7 @@ def info(packing: Path, /, *, source: InputOptions = _READ_BY_DEFAULT) -> None:
     from .input import open_steps, read_step
 
     steps = open_steps(packing, source)
-    text = describe(read_step(steps, packing, source.step))
+    text = describe(read_step(steps, packing, source))
     print("\n".join([*describe_steps(steps), text]))
 
 
@@ -113,7 +113,7 @@ def convert(packing: Path, target: Path, /, *, source: InputOptions = _READ_BY_D
     if target.exists() and packing.exists() and target.samefile(packing):
         raise ValueError(f"{target}: found the source as the target, expected another file")
     check_writable(target)
-    read = read_step(open_steps(packing, source), packing, source.step)
+    read = read_step(open_steps(packing, source), packing, source)
     write(read, target)
     if lost := left_out(read, target):
         print(f"spherepacking: {lost}", file=sys.stderr)

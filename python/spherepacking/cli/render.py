@@ -15,7 +15,7 @@ from ..files.image import check_output, write_strips
 from ..look.scalars import means_colors
 from ..vtk_tools import window_of
 from .camera import aim, fit
-from .frames import check_frames, frame_writer, is_movie, slice_of
+from .frames import check_frames, frame_writer, has_number, is_movie, slice_of
 from .input import open_steps, read_step
 from .options import check_technique, check_view
 from .scene import cell_corners, scene_of
@@ -69,16 +69,22 @@ def render(path: Path, options: RenderOptions, source: InputOptions) -> None:
             f"--output: found the movie {options.output}, expected --steps with it, such as "
             "--steps : for all, or the name of a picture"
         )
+    if has_number(options.output):
+        raise ValueError(
+            f"--output: found {options.output}, which has a place for the numbers of steps, "
+            "expected --steps with it, such as --steps : for all, or another name"
+        )
     check_output(options.output)
-    packing = read_step(open_steps(path, source), path, source.step)
+    packing = read_step(open_steps(path, source), path, source)
     scene = scene_of([packing], [str(path)], options, several=False)
     _draw(packing, options, scene, several=False)
 
 
 def _render_steps(path: Path, options: RenderOptions, source: InputOptions) -> None:
     """Draw several steps with one range of colours and one camera."""
-    if source.step is not None:
-        raise ValueError("--step: found with --steps, expected one of them")
+    for name, value in (("--step", source.step), ("--time", source.time)):
+        if value is not None:
+            raise ValueError(f"{name}: found with --steps, expected one of them")
     chosen = slice_of(options.steps or "")
     check_frames(options.output, options.size)
     steps: PackingSteps = open_steps(path, source)

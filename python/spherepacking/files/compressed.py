@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import bz2
+import codecs
 import lzma
 import os
 import shutil
@@ -28,6 +29,10 @@ _FORMATS = {
     "xz": (b"\xfd7zXZ\x00", ".xz"),
     "zstandard": (b"\x28\xb5\x2f\xfd", ".zst"),
 }
+# What a text is compressed by that has the extension alone.
+_NOTHING = "nothing"
+# Bytes that are looked at.
+_HEAD = 4096
 _CHUNK = 1 << 20
 # Bytes that stay free in the temporary folder, and that a dictionary of xz may take.
 _RESERVE = 64 << 20
@@ -49,22 +54,34 @@ def compression_of(path: Path) -> str | None:
     Returns
     -------
     str or None
-        ``gzip``, ``bzip2``, ``xz``, ``zstandard`` or None.
+        ``gzip``, ``bzip2``, ``xz``, ``zstandard`` or None; ``nothing`` if it is text by the name
+        of a compressed file, as programs leave it that unpack a file under its name.
     """
     if path.suffix.lower() == ".xyzd" and path.stat().st_size % _XYZD_ROW == 0:
         return None
     with path.open("rb") as file:
-        head = file.read(8)
+        head = file.read(_HEAD)
     for name, (magic, _) in _FORMATS.items():
         # The size of a block follows in bzip2.
         if head.startswith(magic) and (name != "bzip2" or head[3:4].isdigit()):
             return name
     for name, (_, extension) in _FORMATS.items():
         if path.suffix.lower() == extension:
+            if _is_text(head):
+                return _NOTHING
             raise PackingFileError(
                 f"{path}: found a file that is not compressed by {name}, expected one that is"
             )
     return None
+
+
+def _is_text(head: bytes) -> bool:
+    """Whether a file that begins so can be text in UTF-8, and nothing else."""
+    try:
+        text = codecs.getincrementaldecoder("utf-8")().decode(head)
+    except UnicodeDecodeError:
+        return False
+    return bool(text) and all(c >= " " or c in "\t\n\r\f\v" for c in text)
 
 
 def inner_name(path: Path) -> str:
@@ -185,6 +202,11 @@ def _pieces_by(make: Callable[[], Any]) -> Callable[[Path, BinaryIO], Iterator[b
     return pieces
 
 
+def _plain_pieces(_: Path, source: BinaryIO) -> Iterator[bytes]:
+    while piece := source.read(_CHUNK):
+        yield piece
+
+
 def _gzip_pieces(_: Path, source: BinaryIO) -> Iterator[bytes]:
     import gzip
 
@@ -226,6 +248,7 @@ def _zstandard_pieces(path: Path, source: BinaryIO) -> Iterator[bytes]:
 
 
 _PIECES: dict[str, Callable[[Path, BinaryIO], Iterator[bytes]]] = {
+    _NOTHING: _plain_pieces,
     "gzip": _gzip_pieces,
     "bzip2": _pieces_by(bz2.BZ2Decompressor),
     "xz": _pieces_by(lambda: lzma.LZMADecompressor(memlimit=_LARGEST_DICTIONARY)),

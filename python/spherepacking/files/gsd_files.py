@@ -9,7 +9,7 @@ import numpy as np
 import pyvista as pv
 
 from .errors import PackingFileError
-from .source import Request, finished
+from .source import Request, finished, without_own_name
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -112,7 +112,8 @@ class GsdFile:
                 f"{self._path}: found no diameters in frame {index} (the default of 1 is not "
                 "taken), expected them, or radius=0.5 or one for each type"
             )
-        return finished(packing, self._path, self._request)
+        own = "diameter" if self._has("diameter", frame, index) else ""
+        return finished(packing, self._path, without_own_name(self._request, packing, own))
 
     def _check_count(self, index: int) -> None:
         """Raise unless the file is as long as the positions of all particles of a frame.

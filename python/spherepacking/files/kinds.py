@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -19,8 +20,18 @@ _BY_EXTENSION = {
     **dict.fromkeys((".xtc", ".trr", ".dcd", ".nc"), ("a trajectory without radii", _POSITIONS)),
     ".mol2": ("a file of molecules without radii", _POSITIONS),
     ".sdf": ("a file of molecules without radii", _POSITIONS),
+    ".json": ("a file in JSON", "text: x y z radius"),
     ".yaml": ("a file in YAML", "a packing in text, such as `dump custom` of LAMMPS writes"),
 }
+# The same of zip archives.
+_ARCHIVES = {
+    ".npz": ("arrays of NumPy", "text: numpy.savetxt(PATH, array) with x y z radius"),
+    ".xlsx": ("a workbook of Excel", "the sheet with the spheres, saved as CSV"),
+    ".xlsm": ("a workbook of Excel", "the sheet with the spheres, saved as CSV"),
+    ".ods": ("a spreadsheet", "the sheet with the spheres, saved as CSV"),
+}
+# Objects, or lists in lists, perhaps in further lists.
+_JSON = re.compile(rb"[\s\[]*\{\s*\"|\s*\[\s*\[\s*[-\d]")
 # What the first bytes say, whatever the name is.
 _BY_CONTENT = (
     (b"\x89HDF\r\n\x1a\n", "an HDF5 file", ".vtkhdf, or the spheres as text: x y z radius"),
@@ -62,6 +73,10 @@ def what_else(path: Path) -> str | None:
     """
     with path.open("rb") as file:
         head = file.read(4096)
+    if head.startswith(b"PK\x03\x04") and (archive := _ARCHIVES.get(path.suffix.lower())):
+        return f"{path}: found {archive[0]}, expected {archive[1]}"
+    if _JSON.match(head):
+        return f"{path}: found a file in JSON, expected text: x y z radius"
     for magic, what, expected in _BY_CONTENT:
         if head.startswith(magic):
             return f"{path}: found {what}, expected {expected}"

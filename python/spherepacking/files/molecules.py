@@ -33,6 +33,8 @@ EXTENSIONS = (".pdb", ".ent", ".cif", ".mmcif")
 _OPTIONAL = ("id", "label_alt_id", "label_asym_id")
 # The last element with a van der Waals radius in gemmi, lawrencium.
 _LAST_KNOWN = 103
+# What gemmi calls elements that it does not know.
+_UNKNOWN = "X"
 
 
 def _gemmi() -> ModuleType:
@@ -289,12 +291,23 @@ def radius_of_atoms(
         return radius
     if missing := [element for element in unknown if element not in given]:
         raise PackingFileError(
-            f"{path}: found atoms of {', '.join(missing)}, which has no van der Waals radius, "
-            f"expected one, such as radius={{{missing[0]!r}: 1.5}}"
+            f"{path}: found atoms of {', '.join(missing)}, which has no van der Waals radius"
+            f"{_meaning_of_x(packing) if _UNKNOWN in missing else ''}, expected one, such as "
+            f"radius={{{missing[0]!r}: 1.5}}"
         )
     for element, value in given.items():
         radii[elements == element] = value
     return radii
+
+
+def _meaning_of_x(packing: pv.PolyData) -> str:
+    """Which atom is the first of no known element, since X need not stand in the file."""
+    first = int(np.flatnonzero(packing.point_data["element"] == _UNKNOWN)[0])
+    atom = f"the atom {packing.point_data['name'][first]!s}"
+    if "residue" in packing.point_data:
+        residue = packing.point_data["residue"][first], packing.point_data["residue_id"][first]
+        atom += f" of residue {residue[0]!s} {residue[1]}"
+    return f" (X stands for elements that are not known, as of {atom})"
 
 
 class _Refused:

@@ -16,7 +16,7 @@ from .kinds import what_else
 from .molecules import EXTENSIONS as MOLECULES
 from .molecules import MoleculeFile, radius_of_atoms
 from .readers import SpherePackingReader
-from .source import finished
+from .source import finished, without_own_name
 from .vtk_files import EXTENSIONS as VTK_EXTENSIONS
 from .vtk_files import INDICES, SINGLE_STEP, VtkFile
 
@@ -123,7 +123,8 @@ class _PlainFile:
             raise PackingFileError(sentence) from None
         if self._request.radius is None:
             return packing
-        return finished(packing, self._path, self._request)
+        own = reader.reader.GetRadiusName()
+        return finished(packing, self._path, without_own_name(self._request, packing, own))
 
     def _lacks_radii_alone(self) -> bool:
         """Whether a file that was refused is read when it need not have radii."""

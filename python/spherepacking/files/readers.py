@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import math
 from contextlib import nullcontext
-from typing import TYPE_CHECKING
+from numbers import Real
+from typing import TYPE_CHECKING, NamedTuple
 
 import pyvista as pv
 
-from ..checks import index_in, shown
+from ..checks import index_in, shown, some_of
 from ..printable import printable
 from ..vtk_tools import ErrorLog, errors_raised, progress_bar
 from .errors import PackingFileError
@@ -17,6 +18,14 @@ if TYPE_CHECKING:
     from typing import Literal
 
     from ..backend import vtkSpherePackingReader
+
+
+class _Times(NamedTuple):
+    """Times of the steps of a file: when VTK found them, and the steps of each time."""
+
+    made_at: int
+    values: list[float]
+    steps: dict[float, list[int]]
 
 
 # PyVista 0.48, which some builds run on, has no generic one.
@@ -57,6 +66,7 @@ class SpherePackingReader(pv.BaseReader, pv.TimeReader):  # type: ignore[type-ar
 
     def _set_defaults(self) -> None:
         self._index = 0
+        self._times: _Times | None = None
 
     def _set_directory(self, directory: str) -> None:
         raise IsADirectoryError(
@@ -91,34 +101,47 @@ class SpherePackingReader(pv.BaseReader, pv.TimeReader):  # type: ignore[type-ar
         read, even where they repeat or run backwards after a restart, and NaN for a step without
         one; 0, 1, 2 and so on where no step has one.
         """
-        values = self._values()
-        own: list[float] = pv.convert_array(self.reader.GetStepTimes()).tolist()
-        return values if all(map(math.isnan, own)) else own
+        return list(self._known_times().values)
 
-    def _values(self) -> list[float]:
-        """What VTK calls the steps by: their times where these increase, or else 0, 1, 2."""
+    def _known_times(self) -> _Times:
+        """Times of the steps, made anew only when the reader has found others."""
+        self._find_steps()
+        times = self.reader.GetStepTimes()
+        if self._times is None or self._times.made_at != times.GetMTime():
+            own: list[float] = pv.convert_array(times).tolist()
+            if all(map(math.isnan, own)):
+                own = [float(i) for i in range(len(own))]
+            steps: dict[float, list[int]] = {}
+            for i, value in enumerate(own):
+                if not math.isnan(value):
+                    steps.setdefault(value, []).append(i)
+            self._times = _Times(times.GetMTime(), own, steps)
+        return self._times
+
+    def _find_steps(self) -> int:
+        """Find the steps, and return how many there are."""
         # What is wrong with the file is raised when it is read. VTK forgets a request to stop when
         # it reads, and not when it looks for steps.
         self.reader.SetAbortExecute(0)
         with ErrorLog(self.reader), progress_bar(self.reader, "", None):
             self.reader.UpdateInformation()
-        key = self.reader.GetExecutive().TIME_STEPS()
-        return list(self.reader.GetOutputInformation(0).Get(key) or ())
+        count: int = self.reader.GetStepTimes().GetNumberOfTuples()
+        return count
 
     @property
     def number_time_points(self) -> int:
         """Return the number of time steps."""
-        return len(self.time_values)
+        return self._find_steps()
 
     def time_point_value(self, time_point: int) -> float:
         """Return the time step at an index, or raise an IndexError."""
-        values = self.time_values
+        values = self._known_times().values
         return values[index_in(range(len(values)), "time_point", time_point)]
 
     @property
     def active_time_value(self) -> float | None:  # type: ignore[override]  # other files have none
         """Return the time step that is read; the first by default, None without any."""
-        values = self.time_values
+        values = self._known_times().values
         return values[self._index] if self._index < len(values) else None
 
     def set_active_time_value(self, time_value: float) -> None:
@@ -126,10 +149,14 @@ class SpherePackingReader(pv.BaseReader, pv.TimeReader):  # type: ignore[type-ar
 
         A time that several steps have chooses none: use :meth:`set_active_time_point`.
         """
-        values = self.time_values
-        found = [i for i, value in enumerate(values) if value == time_value]
+        times = self._known_times()
+        found: list[int] = []
+        if isinstance(time_value, Real):
+            found = times.steps.get(time_value, found)
         if not found:
-            raise ValueError(f"time_value: found {time_value}, expected one of {values}")
+            raise ValueError(
+                f"time_value: found {shown(time_value)}, expected one of [{some_of(times.values)}]"
+            )
         if len(found) > 1:
             raise ValueError(
                 f"time_value: found {time_value}, which is that of the time points "
@@ -157,13 +184,16 @@ class SpherePackingReader(pv.BaseReader, pv.TimeReader):  # type: ignore[type-ar
         # Upstream: pyvista.read() of 0.49 observes the reader, too, and logs what is raised here.
         self.reader.RemoveObservers("ErrorEvent")
         bar = progress_bar(self.reader, self._progress_msg or "")
-        values = self._values()
+        count = self._find_steps()
         with (
             errors_raised(self.reader, PackingFileError),
             bar if self._progress_bar else nullcontext(),
         ):
-            if values:
-                self.reader.UpdateTimeStep(values[self._index])
+            if count:
+                # VTK calls the steps by their times where these increase, or else by 0, 1, 2.
+                key = self.reader.GetExecutive().TIME_STEPS()
+                information = self.reader.GetOutputInformation(0)
+                self.reader.UpdateTimeStep(information.Get(key, range(count)[self._index]))
             else:
                 self.reader.Update()
         return pv.wrap(self.reader.GetOutput(), validate=validate)

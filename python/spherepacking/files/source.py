@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Literal, Protocol
 
 import numpy as np
@@ -50,6 +50,28 @@ class PackingSource(Protocol):
 
     def read(self, index: int) -> pv.PolyData:
         """Read the packing of a step."""
+
+
+def without_own_name(request: Request, packing: pv.PolyData, own: str) -> Request:
+    """Take the radii that were read where the request names them as the file does.
+
+    Parameters
+    ----------
+    request : Request
+        How to read.
+    packing : pyvista.PolyData
+        What was read.
+    own : str
+        What the file calls the numbers that are in ``radius``, halved if they are diameters; the
+        packing has no array of that name.
+
+    Returns
+    -------
+    Request
+        `request`, or one without radii.
+    """
+    named = isinstance(request.radius, str) and request.radius not in packing.point_data
+    return replace(request, radius=None) if named and request.radius == own else request
 
 
 def finished(packing: pv.PolyData, path: Path, request: Request) -> pv.PolyData:

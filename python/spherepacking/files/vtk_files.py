@@ -11,7 +11,7 @@ from xml.etree import ElementTree
 import numpy as np
 import pyvista as pv
 
-from ..datasets import centres_of, wrap
+from ..datasets import centres_of, check_blocks, wrap
 from ..packing import no_such_array
 from ..radii import radius_name_in
 from .errors import PackingFileError
@@ -88,6 +88,7 @@ class VtkFile:
         try:
             dataset = wrap(data)
             _check_names(dataset)
+            check_blocks(dataset, radius)
             packing = centres_of(dataset, radius if isinstance(radius, str) else None)
             names = packing.point_data.keys()
             if radius is None and packing.n_points and radius_name_in(names) is None:

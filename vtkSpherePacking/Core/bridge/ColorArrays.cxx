@@ -7,6 +7,8 @@
 #include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -15,23 +17,53 @@ namespace spherepacking
 {
 namespace
 {
-// The array with one of two names, or null.
-vtkDoubleArray* Find(vtkPointData* data, const char* letter, const char* word)
+using Names = std::vector<std::string>;
+
+// The first array with one of these names, or null.
+vtkDoubleArray* Find(vtkPointData* data, const Names& names, bool anyCase = true)
 {
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)
   {
     std::string name = data->GetArrayName(i) ? data->GetArrayName(i) : "";
     for (char& c : name)
     {
-      c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+      c = anyCase && c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
     }
     vtkDoubleArray* const array = vtkDoubleArray::FastDownCast(data->GetAbstractArray(i));
-    if ((name == letter || name == word) && array && array->GetNumberOfComponents() == 1)
+    if (std::find(names.begin(), names.end(), name) != names.end() && array &&
+      array->GetNumberOfComponents() == 1)
     {
       return array;
     }
   }
   return nullptr;
+}
+
+// The parts of one color, or none. An r beside red, green and blue, or beside R, G and B, is a
+// radius.
+std::vector<vtkDoubleArray*> FindParts(vtkPointData* data)
+{
+  struct Triple
+  {
+    std::array<Names, 3> Of;
+    bool AnyCase;
+  };
+  static const std::vector<Triple> triples{ { { { { "red" }, { "green" }, { "blue" } } }, true },
+    { { { { "r" }, { "g" }, { "b" } } }, false }, { { { { "R" }, { "G" }, { "B" } } }, false },
+    { { { { "r", "red" }, { "g", "green" }, { "b", "blue" } } }, true } };
+  for (const Triple& triple : triples)
+  {
+    std::vector<vtkDoubleArray*> parts;
+    for (const Names& names : triple.Of)
+    {
+      parts.push_back(Find(data, names, triple.AnyCase));
+    }
+    if (parts[0] && parts[1] && parts[2])
+    {
+      return parts;
+    }
+  }
+  return {};
 }
 
 enum class Range
@@ -79,14 +111,13 @@ void AddAs(vtkPointData* data, const std::vector<vtkDoubleArray*>& parts)
 //------------------------------------------------------------------------------
 void AddColors(vtkPointData* data)
 {
-  std::vector<vtkDoubleArray*> parts = { Find(data, "r", "red"), Find(data, "g", "green"),
-    Find(data, "b", "blue") };
-  if (!parts[0] || !parts[1] || !parts[2] || data->HasArray("rgb"))
+  std::vector<vtkDoubleArray*> parts = FindParts(data);
+  if (parts.empty() || data->HasArray("rgb"))
   {
     return;
   }
   const Range range = RangeOf(parts);
-  vtkDoubleArray* const alpha = Find(data, "a", "alpha");
+  vtkDoubleArray* const alpha = Find(data, { "a", "alpha" });
   if (alpha && RangeOf({ alpha }) == range)
   {
     parts.push_back(alpha);

@@ -86,6 +86,7 @@ void AddCell(vtkFieldData* data, const SimulationCell& cell)
 PackingArrays::PackingArrays(vtkIdType count, bool single, bool hasRadii)
   : Count(count)
   , Single(single)
+  , RadiusName(hasRadii ? "radius" : "")
   , CenterArray(NewArray(single, "Points", 3, count))
   , RadiusArray(hasRadii ? NewArray(single, "radius", 1, count) : nullptr)
 {

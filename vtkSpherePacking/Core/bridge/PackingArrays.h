@@ -38,6 +38,10 @@ public:
   vtkIdType GetCount() const { return this->Count; }
   bool IsSingle() const { return this->Single; }
 
+  /// What the file calls the radii or diameters, `radius` by default; empty without.
+  const std::string& GetRadiusName() const { return this->RadiusName; }
+  void SetRadiusName(const std::string& name) { this->RadiusName = name; }
+
   /// Centres, x y z x y z ..., and radii, null without; `Real` must be float if and only if
   /// IsSingle().
   template <typename Real>
@@ -91,6 +95,7 @@ public:
 private:
   vtkIdType Count;
   bool Single;
+  std::string RadiusName;
   vtkSmartPointer<vtkDataArray> CenterArray;
   vtkSmartPointer<vtkDataArray> RadiusArray; // null without radii
   std::vector<vtkSmartPointer<vtkAbstractArray>> Extras;

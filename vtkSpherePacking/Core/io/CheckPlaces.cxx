@@ -22,13 +22,32 @@ namespace
 {
 using Fields = std::vector<std::string_view>;
 
+// How to say that the first of `columns` is `name`, and how that it is x.
+std::string BothHints(const std::string& name, const std::vector<Column>& columns)
+{
+  constexpr std::size_t most = 12;
+  const std::string sphere = HasRadius(columns) ? "x y z r" : "x y z";
+  const std::size_t named = HasRadius(columns) ? 4 : 3;
+  const auto names = [&](const std::string& first, std::size_t count)
+  {
+    std::string text = "columns=\"" + first + sphere;
+    for (std::size_t i = count; i < std::min(columns.size(), most); ++i)
+    {
+      text += " -";
+    }
+    return text + (columns.size() > most ? " ...\"" : "\"");
+  };
+  return names(name + ' ', named + 1) + " or " + names("", named) + " (--columns) to say which";
+}
+
 [[noreturn]] void ThrowIds(
   const std::string& found, const TableLayout& layout, const TextRange& row)
 {
+  const bool noRadius = layout.Columns.size() == 4 && !HasRadius(layout.Columns);
   throw LineError(row.FirstLine,
     "found " + found + " in the first column of " + std::to_string(layout.Columns.size()) +
       ", which may be ids rather than x, in " + Quote(row.Begin, row.End) + ", expected " +
-      ColumnsHint);
+      (noRadius ? BothHints("id", layout.Columns) : ColumnsHint));
 }
 
 bool HasPoint(std::string_view field)
@@ -161,6 +180,41 @@ void CheckNumbers(const TextRange& text, const TableLayout& layout, const Packin
   }
 }
 
+// Throws if x never falls and a third of the rows or more repeat it, as the times of a simulation
+// do. Whole numbers are looked at as ids are, no time is negative, and times would not leave all
+// spheres in one place. The price is a lattice that is sorted by x.
+template <typename Real>
+void CheckTimes(const TextRange& text, const TableLayout& layout, const PackingArrays& arrays)
+{
+  const vtkIdType count = arrays.GetCount();
+  const Real* const centers = arrays.Centers<Real>();
+  vtkIdType repeated = 0;
+  const Real* const radii = HasRadius(layout.Columns) ? arrays.Radii<Real>() : nullptr;
+  bool whole = true;
+  bool onePlace = radii != nullptr;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const Real x = centers[3 * i];
+    onePlace = onePlace && radii[i] == radii[0] && centers[3 * i + 1] == centers[1] &&
+      centers[3 * i + 2] == centers[2];
+    const Real before = i > 0 ? centers[3 * (i - 1)] : Real(0);
+    if (!(x >= before))
+    {
+      return;
+    }
+    repeated += i > 0 && x == before ? 1 : 0;
+    whole &= x == std::floor(x);
+  }
+  if (!whole && !onePlace && repeated > 0 && 3 * repeated >= count)
+  {
+    const TextRange row = FindRow(text);
+    throw LineError(row.FirstLine,
+      "found numbers that repeat and never fall in the first column of " +
+        std::to_string(layout.Columns.size()) + ", which may be times rather than x, in " +
+        Quote(row.Begin, row.End) + ", expected " + BothHints("time", layout.Columns));
+  }
+}
+
 struct Bounds
 {
   double Low[3];
@@ -235,7 +289,8 @@ void CheckFirstRow(const TextRange& text, const PackingArrays& arrays)
     {
       throw LineError(row.FirstLine,
         "found " + Quote(row.Begin, row.End) + ", which seems to be the number of the " + count +
-          " rows that follow and their box, expected rows of spheres alone, or # before it");
+          " rows that follow and their box, expected rows of spheres alone, # before it, or " +
+          (fields.size() == 4 ? HintFor(4) + ", if it is a sphere" : HintFor(fields.size())));
     }
   }
 }
@@ -248,11 +303,18 @@ void CheckPlaces(const TextRange& text, const TableLayout& layout, const Packing
   {
     return;
   }
-  if (layout.Columns.size() > 4 || layout.Named == Naming::FourAfterWords)
+  const bool four = layout.Columns.size() == 4;
+  if (layout.Columns.size() > 4 || (four && !HasRadius(layout.Columns)) ||
+    layout.Named == Naming::FourAfterWords)
   {
     CheckFirstColumn(text, layout);
     arrays.IsSingle() ? CheckNumbers<float>(text, layout, arrays)
                       : CheckNumbers<double>(text, layout, arrays);
+    if (layout.Named == Naming::None)
+    {
+      arrays.IsSingle() ? CheckTimes<float>(text, layout, arrays)
+                        : CheckTimes<double>(text, layout, arrays);
+    }
   }
   CheckFirstRow(text, arrays);
 }

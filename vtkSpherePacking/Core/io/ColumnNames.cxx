@@ -2,6 +2,7 @@
 #include "io/ColumnNames.h"
 
 #include "io/DiameterWords.h"
+#include "io/NameBrackets.h"
 #include "io/NameMeaning.h"
 #include "io/PackingFileError.h"
 #include "bridge/PrintableText.h"
@@ -64,6 +65,7 @@ public:
     {
       this->Complain(this->Rejected);
     }
+    this->CheckBrackets();
     this->SetNames();
     complaint = this->Complaint;
     return std::move(this->Columns);
@@ -83,7 +85,9 @@ private:
     {
       has[meaning.What] = true;
     }
-    const bool color = has[NameMeaning::Green] && has[NameMeaning::Blue];
+    const bool color =
+      has[NameMeaning::Green] && has[NameMeaning::Blue] && !this->HasColorsInWords();
+    const std::string caseOfColors = this->CaseOfColors();
     const bool distance =
       this->By == NamesBy::File && (has[NameMeaning::PolarAngle] || has[NameMeaning::Azimuth]);
     if (!color && !distance)
@@ -93,7 +97,9 @@ private:
     for (std::size_t i = 0; i < this->Meanings.size(); ++i)
     {
       NameMeaning& meaning = this->Meanings[i];
-      const bool red = color && meaning.Unit.empty(); // no color has a unit
+      const bool red = color && meaning.Unit.empty() && // no color has a unit
+        (caseOfColors.empty() || this->Names[i] == caseOfColors);
+      const bool again = red && !this->Rejected.empty();
       if (meaning.What == NameMeaning::Radius && meaning.IsLetter && (red || distance))
       {
         this->Rejected = "found " + QuoteName(this->Names[i]) +
@@ -102,9 +108,39 @@ private:
                  "or phi") +
           ", expected a column radius or diameter, or radius=\"" + std::string(this->Names[i]) +
           "\" (--radius) if it is one";
+        this->Rejected = !again ? this->Rejected
+                                : "found the column " + QuoteName(this->Names[i]) +
+            " twice beside green and blue, expected a column radius or diameter beside red";
         meaning.What = NameMeaning::Other;
       }
     }
+  }
+
+  bool HasName(std::string_view name) const
+  {
+    return std::any_of(this->Names.begin(), this->Names.end(),
+      [name](std::string_view other)
+      {
+        return std::equal(other.begin(), other.end(), name.begin(), name.end(),
+          [](char a, char b) { return a == b || (a >= 'A' && a <= 'Z' && a - 'A' + 'a' == b); });
+      });
+  }
+
+  // Whether red is called so, beside green and blue, so that r is not red.
+  bool HasColorsInWords() const
+  {
+    return this->HasName("red") && this->HasName("green") && this->HasName("blue") &&
+      !(this->HasName("g") && this->HasName("b"));
+  }
+
+  // What red must be called where both r and R are there, of which g and b, or G and B, tell one.
+  std::string CaseOfColors() const
+  {
+    const auto has = [&](const char* name)
+    { return std::find(this->Names.begin(), this->Names.end(), name) != this->Names.end(); };
+    const bool small = has("r") && has("g") && has("b");
+    const bool large = has("R") && has("G") && has("B");
+    return !has("r") || !has("R") || small == large ? "" : small ? "r" : "R";
   }
 
   // The coordinates are those of the only family of names that has all three; x, y, z before
@@ -236,6 +272,38 @@ private:
         ", expected one name for each column");
     }
     return true;
+  }
+
+  // What is in brackets may say that a number is no length, or one in another unit: "r (log10)".
+  void CheckBrackets()
+  {
+    const auto unknownOf = [&](std::size_t i) -> const std::string&
+    { return this->Meanings[i].Unknown; };
+    std::vector<std::size_t> sphere;
+    for (std::size_t i = 0; i < this->Columns.size(); ++i)
+    {
+      if (this->Columns[i].Role <= ColumnRole::Diameter)
+      {
+        sphere.push_back(i);
+      }
+    }
+    const bool shared = sphere.size() > 3 &&
+      std::all_of(sphere.begin(), sphere.end(),
+        [&](std::size_t i) { return unknownOf(i) == unknownOf(sphere[0]); });
+    for (const std::size_t i : sphere)
+    {
+      const std::string& unknown = unknownOf(i);
+      const bool isSize = this->Columns[i].Role > ColumnRole::Z;
+      const bool plain = IsPlainBracket(unknown) ||
+        MeaningOfName(unknown).What == this->Meanings[i].What; // radius (r)
+      if (!unknown.empty() &&
+        (IsNoLength(unknown) || (!shared && (IsScaled(unknown) || (isSize && !plain)))))
+      {
+        this->Complain("found " + QuoteName(this->Names[i]) +
+          ", whose bracket holds no unit of length that is known, expected one unit for "
+          "coordinates and radii");
+      }
+    }
   }
 
   void SetRole(const std::vector<std::size_t>& columns, ColumnRole role)

@@ -2,6 +2,7 @@
 #include "io/DiameterWords.h"
 
 #include "io/NameMeaning.h"
+#include "io/RemarkWords.h"
 #include "io/TableRows.h"
 
 #include <algorithm>
@@ -16,14 +17,6 @@ namespace
 {
 using Words = std::set<std::string_view>;
 
-/// A word of a remark: letters, digits, apostrophes within, and all that is not ASCII.
-struct Word
-{
-  std::size_t Begin;
-  std::size_t End;
-  std::string Lower; // ASCII alone
-};
-
 bool IsUpper(char c)
 {
   return c >= 'A' && c <= 'Z';
@@ -32,70 +25,6 @@ bool IsUpper(char c)
 bool IsDigit(char c)
 {
   return c >= '0' && c <= '9';
-}
-
-// Where the character at `p` ends if it is punctuation or a sign beyond ASCII, else `p`. The sign
-// for diameters and the apostrophe of typesetters are parts of words.
-std::size_t SignEnd(std::string_view text, std::size_t p)
-{
-  const auto byte = [&](std::size_t i)
-  { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
-  const std::string_view three = text.substr(p, 3);
-  if (three == "\xE2\x8C\x80" || three == "\xE2\x80\x99")
-  {
-    return p;
-  }
-  const unsigned first = byte(p);
-  const unsigned second = byte(p + 1);
-  const bool ofTwo = (first == 0xC2 && second >= 0xA0 && second != 0xB5) ||
-    (first == 0xC3 && (second == 0x97 || second == 0xB7));
-  const bool ofThree = (first == 0xE2 && second >= 0x80 && second <= 0xAF) ||
-    (first == 0xE3 && second == 0x80) || (first == 0xEF && second == 0xBC && byte(p + 2) <= 0x8F);
-  return std::min(p + (ofTwo ? 2 : ofThree ? 3 : 0), text.size());
-}
-
-// Where a word that begins at `p` ends.
-std::size_t WordEnd(std::string_view text, std::size_t p)
-{
-  const auto isOfWord = [&](char c)
-  { return IsUpper(c) || IsDigit(c) || (c >= 'a' && c <= 'z') || c == '\'' || c < 0; };
-  while (p < text.size() && isOfWord(text[p]) && SignEnd(text, p) == p)
-  {
-    ++p;
-  }
-  return p;
-}
-
-std::vector<Word> SplitWords(std::string_view text)
-{
-  std::vector<Word> words;
-  for (std::size_t p = 0; p < text.size();)
-  {
-    Word word{ p, WordEnd(text, p), {} };
-    if (word.End == p)
-    {
-      p = std::max(SignEnd(text, p), p + 1);
-      continue;
-    }
-    p = word.End;
-    if (text[word.Begin] == '\'') // a quote
-    {
-      word.Begin = std::min(text.find_first_not_of('\'', word.Begin), word.End);
-      while (word.End > word.Begin && text[word.End - 1] == '\'')
-      {
-        --word.End;
-      }
-    }
-    for (std::size_t i = word.Begin; i < word.End; ++i)
-    {
-      word.Lower += IsUpper(text[i]) ? static_cast<char>(text[i] - 'A' + 'a') : text[i];
-    }
-    if (!word.Lower.empty())
-    {
-      words.push_back(std::move(word));
-    }
-  }
-  return words;
 }
 
 // Whether "diam" stands in a word that is not one of diamonds and the like.
@@ -163,7 +92,7 @@ bool IsOfColumns(std::string_view word)
 }
 
 // 2*r, "x y z 2 r" or "twice the radius"
-bool IsTwiceRadius(std::string_view text, const std::vector<Word>& words)
+bool IsTwiceRadius(std::string_view text, const std::vector<RemarkWord>& words)
 {
   bool twice = false;
   bool radii = false;
@@ -189,11 +118,11 @@ bool IsTwiceRadius(std::string_view text, const std::vector<Word>& words)
 class Letters
 {
 public:
-  Letters(std::string_view text, const std::vector<Word>& words)
+  Letters(std::string_view text, const std::vector<RemarkWord>& words)
     : Text(text)
     , All(words)
   {
-    for (const Word& word : words)
+    for (const RemarkWord& word : words)
     {
       const bool d = word.Lower == "d";
       this->Axes |= MeaningOfName(word.Lower).What == NameMeaning::Coordinate;
@@ -203,7 +132,7 @@ public:
 
   bool MayBeDiameter(std::size_t i) const
   {
-    const Word& word = this->All[i];
+    const RemarkWord& word = this->All[i];
     const char before = word.Begin > 0 ? this->Text[word.Begin - 1] : ' ';
     const std::string_view behind = this->Text.substr(word.End);
     const bool path = behind.substr(0, 2) == ":\\" || behind.substr(0, 2) == ":/" ||
@@ -245,7 +174,7 @@ private:
   // J. D. Smith, Ph.D.
   bool IsOfPerson(std::size_t i) const
   {
-    const Word& word = this->All[i];
+    const RemarkWord& word = this->All[i];
     if (!IsUpper(this->Text[word.Begin]) || this->Text.substr(word.End, 1) != ".")
     {
       return false;
@@ -265,7 +194,7 @@ private:
   }
 
   std::string_view Text;
-  const std::vector<Word>& All;
+  const std::vector<RemarkWord>& All;
   bool Axes = false;
   bool Columns = false;
 };
@@ -274,14 +203,14 @@ private:
 //------------------------------------------------------------------------------
 bool SpeaksOfDiameter(std::string_view remark)
 {
-  const std::vector<Word> words = SplitWords(remark);
+  const std::vector<RemarkWord> words = SplitRemark(remark);
   const auto has = [&](std::string_view word)
   {
     return std::any_of(
-      words.begin(), words.end(), [word](const Word& other) { return other.Lower == word; });
+      words.begin(), words.end(), [word](const RemarkWord& other) { return other.Lower == word; });
   };
-  if (std::any_of(
-        words.begin(), words.end(), [](const Word& word) { return IsForDiameters(word.Lower); }) ||
+  if (std::any_of(words.begin(), words.end(),
+        [](const RemarkWord& word) { return IsForDiameters(word.Lower); }) ||
     IsTwiceRadius(remark, words))
   {
     return true;

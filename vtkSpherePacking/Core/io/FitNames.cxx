@@ -2,9 +2,11 @@
 #include "io/FitNames.h"
 
 #include "io/DiameterWords.h"
+#include "io/NameBrackets.h"
 #include "io/NameLists.h"
 #include "io/NameMeaning.h"
 #include "io/PackingFileError.h"
+#include "io/RemarksOnOrder.h"
 #include "io/SplitNames.h"
 #include "io/TableLayout.h"
 #include "io/UnitsOfRemark.h"
@@ -316,12 +318,13 @@ NamesFit FitPosition(std::string_view line, std::size_t count, Radii radii)
   }
   Readings readings(count, radii);
   readings.TryWords(SplitNames(names, Between::Anything));
-  if (spelled.IsClear && readings.Fit())
+  if (spelled.IsClear && readings.Fit() && !SpeaksOfOtherOrder(line)) // "position (zyx)"
   {
     return UnitsOfRemark(line).size() > 1 ? TwoUnits(line) : readings.Result();
   }
   NamesFit fit;
-  fit.What = spelled.RadiusFollows ? NamesFit::NoNames : NamesFit::Unclear;
+  fit.What =
+    spelled.RadiusFollows && !SpeaksOfOtherOrder(line) ? NamesFit::NoNames : NamesFit::Unclear;
   return fit;
 }
 
@@ -470,6 +473,12 @@ NamesFit FitNames(std::string_view line, std::size_t count, Radii radii)
   if (fit.What != NamesFit::NoNames && fit.Complaint.empty() && HasTwoUnits(line))
   {
     return TwoUnits(line);
+  }
+  if (const auto bracket = FindUnclearBracket(line); fit.What == NamesFit::Fits && !bracket.empty())
+  {
+    return { NamesFit::Unclear, {},
+      "found " + Quote(bracket.data(), bracket.data() + bracket.size()) +
+        " in a bracket behind a name, expected a unit of length, one for coordinates and radii" };
   }
   return fit;
 }

@@ -14,6 +14,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace spherepacking
 {
@@ -37,10 +38,21 @@ std::vector<ColumnRole> RolesOfSphere(const std::vector<Column>& columns)
   return roles;
 }
 
+// Columns of which none is a size: with radii from elsewhere it does not matter what one is called.
+std::vector<Column> WithoutSizes(std::vector<Column> columns)
+{
+  for (Column& column : columns)
+  {
+    column.Role = column.Role > ColumnRole::Z ? ColumnRole::Extra : column.Role;
+  }
+  return columns;
+}
+
 // Whether x, y, z and the size are the same columns, or at least in the same order where a comment
 // names more or fewer.
-bool Agree(const std::vector<Column>& named, const std::vector<Column>& columns)
+bool Agree(std::vector<Column> named, const std::vector<Column>& columns)
 {
+  named = HasRadius(columns) ? std::move(named) : WithoutSizes(std::move(named));
   if (RolesOfSphere(named) != RolesOfSphere(columns))
   {
     return false;

@@ -211,8 +211,14 @@ std::string WithPlainBlanks(std::string_view text)
 //------------------------------------------------------------------------------
 std::string UnitInBracket(std::string_view text)
 {
+  // Too short, or too much like other words, to be units elsewhere.
+  static const std::map<std::string_view, std::string_view> others{ { "A", "A" }, { "Ang", "A" },
+    { "ang", "A" }, { "in", "inch" }, { "\xC2\xB5", "um" }, { "\xCE\xBC", "um" }, { "mum", "um" },
+    { "bohr", "bohr" }, { "pc", "pc" }, { "kpc", "kpc" }, { "Mpc", "Mpc" } };
   text = TrimBlanks(text);
-  return LengthUnit(text.substr(0, 3) == "in " ? TrimBlanks(text.substr(3)) : text);
+  text = text.substr(0, 3) == "in " ? TrimBlanks(text.substr(3)) : text;
+  const auto other = others.find(text);
+  return other != others.end() ? std::string(other->second) : LengthUnit(text);
 }
 
 //------------------------------------------------------------------------------

@@ -17,8 +17,9 @@ namespace
 {
 using Fields = std::vector<std::string_view>;
 
-// Numbered columns, but for x, y, z and radius, which begin at `first`.
-std::vector<Column> SphereAt(std::size_t first, std::size_t count)
+// Numbered columns, but for x, y, z and radius, which begin at `first`. Who gives radii says that
+// the fourth, which nobody has named, need not be one.
+std::vector<Column> SphereAt(std::size_t first, std::size_t count, Radii radii)
 {
   std::vector<Column> columns;
   for (std::size_t i = 0; i < count; ++i)
@@ -27,7 +28,8 @@ std::vector<Column> SphereAt(std::size_t first, std::size_t count)
   }
   const Column components[4] = { { ColumnRole::X, "x" }, { ColumnRole::Y, "y" },
     { ColumnRole::Z, "z" }, { ColumnRole::Radius, "radius" } };
-  for (std::size_t i = 0; i < 4 && first + i < count; ++i)
+  const std::size_t certain = radii == Radii::Required ? 4 : 3;
+  for (std::size_t i = 0; i < certain && first + i < count; ++i)
   {
     columns[first + i] = components[i];
   }
@@ -73,7 +75,7 @@ std::vector<Column> ColumnsOfXyzr(const TextRange& text, const TextRange& row, c
   const std::size_t last = run.First + run.Count - 1;
   if (run.Count == 4)
   {
-    return SphereAt(run.First, fields.size());
+    return SphereAt(run.First, fields.size(), Radii::Required);
   }
   constexpr int enough = 10000;
   bool idsFirst = true;
@@ -99,7 +101,7 @@ std::vector<Column> ColumnsOfXyzr(const TextRange& text, const TextRange& row, c
                   : ", of which neither the first nor the last are ids for certain") +
         ", expected " + ColumnsHint);
   }
-  return SphereAt(idsLast ? run.First : last - 3, fields.size());
+  return SphereAt(idsLast ? run.First : last - 3, fields.size(), Radii::Required);
 }
 }
 
@@ -117,16 +119,16 @@ std::vector<Column> NamelessColumns(
   const Fields fields = Separators::Liberal().Split(row.Begin);
   if (fields.size() == 3 && radii == Radii::Optional)
   {
-    return SphereAt(0, 3);
+    return SphereAt(0, 3, radii);
   }
   if (format == Format::Xyzr)
   {
-    return ColumnsOfXyzr(text, row, fields);
+    return ColumnsOfXyzr(text, row, fields); // the extension names the radius
   }
   if (fields.size() < 4)
   {
     ThrowTooFew(row, fields.size(), " ");
   }
-  return SphereAt(0, fields.size());
+  return SphereAt(0, fields.size(), radii);
 }
 }

@@ -116,7 +116,8 @@ Format FormatOfExtension(const std::string& file)
     { ".xyzr", Format::Xyzr }, { ".csv", Format::Csv }, { ".xyzd", Format::Xyzd },
     { ".dump", Format::Dump }, { ".lammpstrj", Format::Dump }, { ".liggghts", Format::Dump },
     { ".pqr", Format::Pqr }, { ".sph", Format::SphereTree }, { ".swc", Format::Swc },
-    { ".geo", Format::GenGeo }, { ".ma", Format::MedialAxis }, { ".mdpa", Format::Kratos } };
+    { ".eswc", Format::Swc }, { ".geo", Format::GenGeo }, { ".ma", Format::MedialAxis },
+    { ".mdpa", Format::Kratos } };
   const auto found = formats.find(
     vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(file)));
   return found == formats.end() ? Format::Auto : found->second;

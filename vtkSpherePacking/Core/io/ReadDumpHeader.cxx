@@ -78,10 +78,11 @@ private:
   }
 
   // Whether a box is periodic along each axis: the title of most ends with flags such as pp, ff
-  // or fs, a letter for each face, of which p is periodic.
+  // or fs, a letter for each face, of which p is periodic. Old versions of LAMMPS wrote none: then
+  // no spheres are joined through walls that may be there.
   static std::array<bool, 3> Periodicity(const Fields& title)
   {
-    std::array<bool, 3> periodic{ true, true, true };
+    std::array<bool, 3> periodic{ false, false, false };
     const auto isFlag = [](std::string_view field)
     { return field.size() == 2 && field.find_first_not_of("pfsm") == field.npos; };
     if (title.size() >= 6 && std::all_of(title.end() - 3, title.end(), isFlag))

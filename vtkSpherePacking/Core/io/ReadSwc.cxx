@@ -12,7 +12,8 @@ namespace spherepacking
 namespace
 {
 // The samples of a neuron (R. Cannon et al., "An on-line archive of reconstructed hippocampal
-// neurons", 1998): a table whose first seven columns are fixed. Further ones keep their number.
+// neurons", 1998): a table whose first seven columns are fixed. Further ones, such as those of the
+// extended files of Vaa3D (.eswc), keep their number.
 PackingArrays ParseSwc(const FileBytes& bytes, const ReadOptions& options, Progress& progress)
 {
   const TextRange text{ SkipUtf8Mark(bytes.Begin(), bytes.End()), bytes.End() };

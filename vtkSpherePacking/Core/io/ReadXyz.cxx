@@ -268,6 +268,7 @@ void JoinComponents(PackingArrays& arrays, const std::string& name, bool areDiam
     }
     arrays.RemoveExtra(name + end);
   }
+  arrays.SetRadiusName(name);
 }
 
 // Plain XYZ: a species, x, y, z, and what nobody names.
@@ -300,6 +301,11 @@ TableLayout ReadLayout(const FrameHead& head, const ReadOptions& options, std::s
   const TextRange rows = head.Lines.Rest();
   const auto row = FirstRow(rows);
   const auto properties = XyzComment(head.Lines.Line()).Properties();
+  if (properties && !options.Columns.empty())
+  {
+    throw ContentError("found names of columns for atoms whose Properties say what their columns "
+                       "are, expected none");
+  }
   if (properties)
   {
     constexpr std::size_t withoutAtoms = 1000;

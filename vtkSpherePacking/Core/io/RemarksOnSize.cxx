@@ -4,6 +4,7 @@
 #include "io/DiameterWords.h"
 #include "io/NamelessColumns.h"
 #include "io/PackingFileError.h"
+#include "io/RemarksOnOrder.h"
 #include "io/TableHead.h"
 #include "io/UnitsOfRemark.h"
 
@@ -41,12 +42,33 @@ void CheckNoDiameter(const TextRange& remark, std::size_t count)
 }
 
 //------------------------------------------------------------------------------
+void CheckOrder(const TextRange& remark, std::size_t count)
+{
+  if (SpeaksOfOtherOrder(View(remark)))
+  {
+    throw LineError(remark.FirstLine,
+      "found " + Quote(remark.Begin, remark.End) +
+        ", which may speak of another order than x y z radius, beside rows without certain names, "
+        "expected " +
+        HintFor(count));
+  }
+}
+
+//------------------------------------------------------------------------------
 void CheckRemarks(const std::vector<TextRange>& remarks, std::size_t count)
 {
   std::set<std::string> units;
   for (const TextRange& remark : remarks)
   {
     CheckNoDiameter(remark, count);
+    if (SpeaksOfOtherSize(View(remark)))
+    {
+      throw LineError(remark.FirstLine,
+        "found " + Quote(remark.Begin, remark.End) +
+          ", which may say that the fourth column is no radius, beside rows without certain names, "
+          "expected " +
+          HintFor(count));
+    }
     units.merge(UnitsOfRemark(View(remark)));
     if (units.size() > 1)
     {

@@ -11,12 +11,16 @@ namespace spherepacking
 {
 /**
  * Throws if remarks about rows of `count` columns, which are to be read as x, y, z and radius by
- * their places, speak of a diameter in whatever form, or give lengths in several units.
+ * their places, speak of a diameter in whatever form or of another fourth column, or give lengths
+ * in several units.
  */
 void CheckRemarks(const std::vector<TextRange>& remarks, std::size_t count);
 
 /// Throws if the remark does, in "found ..., expected ...".
 void CheckNoDiameter(const TextRange& remark, std::size_t count);
+
+/// Throws if the remark speaks of another order than x, y, z, radius.
+void CheckOrder(const TextRange& remark, std::size_t count);
 }
 
 #endif

@@ -4,10 +4,12 @@
 #include "io/DiameterWords.h"
 #include "io/FitComments.h"
 #include "io/GivenColumns.h"
+#include "io/NameBrackets.h"
 #include "io/NameLists.h"
 #include "io/NameMeaning.h"
 #include "io/NamelessColumns.h"
 #include "io/PackingFileError.h"
+#include "io/RemarksOnOrder.h"
 #include "io/RemarksOnSize.h"
 #include "io/SizeComponents.h"
 #include "io/TableHead.h"
@@ -207,7 +209,7 @@ private:
     }
     if (!complaint.empty())
     {
-      throw LineError(line.FirstLine, complaint);
+      throw LineError(line.FirstLine, complaint + ", or " + HintFor(names.size()));
     }
     this->Layout.Columns = *columns;
     for (std::size_t i = 1; components && i < 3; ++i)
@@ -271,7 +273,7 @@ private:
     }
     else if (!fit.Complaint.empty())
     {
-      throw LineError(header.FirstLine, fit.Complaint);
+      throw LineError(header.FirstLine, fit.Complaint + ", or " + HintFor(count));
     }
     else if (!this->TakeIndexedHeader(count))
     {
@@ -356,7 +358,7 @@ private:
       this->Layout.Named = Naming::None;
       return false;
     }
-    if (!fit.OneEach && !HasTwoUnits(View(fit.Line)))
+    if (!fit.OneEach && !HasTwoUnits(View(fit.Line)) && FindUnclearBracket(View(fit.Line)).empty())
     {
       this->Layout.Named = this->FirstFour(View(fit.Line), count);
       const auto forms = UsualForms(View(fit.Line), count);
@@ -424,7 +426,7 @@ private:
       (sphere.size() == words.size() || ColumnsFromNames(words, complaint)); // r may be red
     const bool atOnce = sphere.size() == 4 && sphere[3] == 3;
     if (AreNumbered(line) || sphere.size() < 3 || noRadius || lengths.size() > 1 ||
-      SpeaksOfDiameter(line))
+      SpeaksOfDiameter(line) || SpeaksOfOtherSize(line))
     {
       return Naming::All;
     }
@@ -436,10 +438,19 @@ private:
                                                               : Naming::All;
   }
 
-  // Throws if remarks before the rows or in the first say that the fourth column is no radius.
+  // Throws if remarks before the rows or in the first say that columns are in another order, or
+  // that the fourth is no radius.
   void CheckPlainRemarks(std::size_t count) const
   {
-    if (this->Layout.Named == Naming::FirstFour || this->RadiiAre == Radii::Optional)
+    if (this->Layout.Named == Naming::FirstFour)
+    {
+      return;
+    }
+    for (const TextRange& remark : this->Head.Comments)
+    {
+      CheckOrder(remark, count);
+    }
+    if (this->RadiiAre == Radii::Optional)
     {
       return;
     }

@@ -137,6 +137,10 @@ TableParser::TableParser(const TableLayout& layout, vtkIdType count, bool single
     {
       this->Extras->Texts[i] = this->Arrays.AddText(column.Name);
     }
+    else if (column.Role == ColumnRole::Radius || column.Role == ColumnRole::Diameter)
+    {
+      this->Arrays.SetRadiusName(column.Name);
+    }
   }
 }
 

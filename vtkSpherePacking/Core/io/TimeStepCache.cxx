@@ -47,6 +47,7 @@ const TimeSteps& TimeStepCache::Find(Format format, const std::string& file, Pro
     this->Steps.emplace(format == Format::Dump ? FindDumpSteps(file, progress)
         : format == Format::Xyz                ? FindXyzSteps(file, progress)
                                                : FindMercurySteps(file, progress));
+    ++this->SearchCount;
     this->FormatOfFile = format;
     this->File = file;
     this->StampOfFile = stamp;

@@ -18,6 +18,9 @@ public:
   /// The steps of `file`, from the cache if they are there.
   const TimeSteps& Find(Format format, const std::string& file, Progress& progress);
 
+  /// How often the file was searched: as long as it stays the same, so do the steps.
+  int Searches() const { return this->SearchCount; }
+
 private:
   /// Device, number of the inode, size, and seconds and nanoseconds of the last modification of
   /// content and inode, which a program may not set.
@@ -30,6 +33,7 @@ private:
   Stamp StampOfFile{};
   bool IsSettled = false; ///< whether a later change would have another stamp
   std::optional<TimeSteps> Steps;
+  int SearchCount = 0;
 };
 }
 

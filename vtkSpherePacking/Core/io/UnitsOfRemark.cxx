@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/UnitsOfRemark.h"
 
+#include "io/NameBrackets.h"
 #include "io/NameMeaning.h"
 #include "io/SplitNames.h"
 #include "io/TableLayout.h"
@@ -69,27 +70,19 @@ bool HasTwoUnits(std::string_view line)
   std::set<std::string> units;
   bool known = false;
   std::size_t namesEnd = line.npos; // where a bracket of names has ended, "(x, y, z) [mm]"
-  for (std::size_t at = line.find_first_of("(["); at != line.npos;)
+  for (const NameBracket& bracket : FindBrackets(line))
   {
-    const std::size_t end = BracketEnd(line, at);
-    std::string_view before = line.substr(0, at);
-    before = before.substr(0, before.find_last_not_of(" \t") + 1);
-    const std::size_t word = before.find_last_of(" \t,;:)]");
-    const std::string_view name = before.substr(word == before.npos ? 0 : word + 1);
-    const std::string_view text = Trim(line.substr(at + 1, end > at ? end - at - 1 : 0));
-    const std::string unit = UnitInBracket(text);
-    const std::vector<std::string_view> words = SplitNames(text, Between::Anything);
+    const std::string unit = UnitInBracket(bracket.Text);
+    const std::vector<std::string_view> words = SplitNames(bracket.Text, Between::Anything);
     const bool names = std::any_of(words.begin(), words.end(),
       [](auto each) { return IsOfSphere(MeaningOfName(each)) || IsNumber(each); });
-    const bool ofSphere =
-      before.size() == namesEnd || IsOfSphere(MeaningOfName(name)) || IsPosition(name);
-    namesEnd = names ? end + 1 : line.npos;
+    const bool ofSphere = bracket.Before == namesEnd || IsPlaceOrSize(bracket.Name);
+    namesEnd = names ? bracket.End : line.npos;
     if (ofSphere && !words.empty() && (!unit.empty() || !names))
     {
-      units.insert(unit.empty() ? "?" + std::string(text) : unit);
+      units.insert(unit.empty() ? "?" + std::string(bracket.Text) : unit);
       known |= !unit.empty();
     }
-    at = end > at ? line.find_first_of("([", end) : line.npos;
   }
   return known && units.size() > 1;
 }

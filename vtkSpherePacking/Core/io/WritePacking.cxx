@@ -127,7 +127,8 @@ void CheckFormat(const std::string& file, Format kind, std::optional<vtkIdType> 
     throw PackingFileError(vtkErrorCode::UnrecognizedFileTypeError,
       file +
         ": found a format that cannot be written, expected the extension .spheres, "
-        ".xyzr, .txt, .csv, .xyzd, .dump or .xyz");
+        ".xyzr, .txt, .csv, .xyzd, .dump or .xyz; spherepacking.write() writes .vtp, .vtu and "
+        ".vtk, too");
   }
   if (kind == Format::Xyzd)
   {
