@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from .checks import some_of
+from .printable import printable
 
 if TYPE_CHECKING:
     import pyvista as pv
@@ -17,7 +18,7 @@ if TYPE_CHECKING:
 
 def no_such_array(argument: str, name: str, packing: pv.PolyData) -> KeyError:
     """Make the error that says which arrays there are."""
-    there = some_of(packing.point_data.keys(), 30) or "none"
+    there = printable(some_of(packing.point_data.keys(), 30) or "none")
     hint = " (there is a cell array of that name)" if name in packing.cell_data else ""
     advice = ""
     if argument == "radius":

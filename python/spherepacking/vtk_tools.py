@@ -185,10 +185,11 @@ class _Bar:
             if time.monotonic() < self.show_after:
                 return
             from rich.console import Console
+            from rich.markup import escape
             from rich.progress import Progress
 
             self.progress = Progress(console=Console(stderr=True), transient=self.transient)
-            self.task = self.progress.add_task(self.label, total=1.0)
+            self.task = self.progress.add_task(escape(self.label), total=1.0)
             self.progress.start()
         self.progress.update(self.task, completed=algorithm.GetProgress())
 

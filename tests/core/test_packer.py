@@ -508,7 +508,19 @@ def test_surfaces_that_are_none():
     assert "found 3 open edges" in message_of(packer_of(one_side))
     flat = pv.Tetrahedron()
     flat.points[:, 2] = 0.0
-    assert "encloses a volume" in message_of(packer_of(flat))
+    assert "expected more than 1e-12 times the cube of that: a thicker one" in message_of(
+        packer_of(flat)
+    )
+
+
+def test_a_volume_that_is_small_for_the_size_of_the_surface():
+    """It does enclose one, of a million cubes, which the sentence has to say."""
+    cube = pv.Cube().triangulate().clean()
+    cube.points = cube.points.astype(float)
+    cube.points[0] = -1e6
+    assert message_of(packer_of(cube)).startswith(
+        "surface: found a volume of 500001 at a size of about 1.04858e+06, expected more than 1e-12"
+    )
 
 
 @pytest.mark.parametrize(

@@ -1,6 +1,7 @@
 """Steps, radii and columns on the command line, and what ``convert`` leaves out."""
 
 import builtins
+import os
 
 import numpy as np
 import pytest
@@ -374,6 +375,31 @@ def test_an_animation(run, tmp_path):
 def test_a_movie_of_one_step_says_how_to_take_all(run, tmp_path, capfd, name):
     status, _, err = ask(capfd, "render", run, "-o", tmp_path / name)
     assert (status, f"{name}, expected --steps with it" in err) == (2, True)
+
+
+@pytest.mark.parametrize("name", ["run.mp4", "run.gif"])
+def test_a_movie_that_cannot_be_written_is_known_before(run, tmp_path, capfd, monkeypatch, name):
+    pytest.importorskip("imageio.v2")
+    pytest.importorskip("imageio_ffmpeg")
+
+    def draw(*_, **__):
+        raise AssertionError("there was work")
+
+    monkeypatch.setattr("spherepacking.cli.render.frame_writer", draw)
+    os.mkfifo(tmp_path / name)
+    status, _, err = ask(capfd, "render", run, "--steps", ":", "-o", tmp_path / name)
+    assert (status, "found something that is no regular file" in err) == (2, True)
+
+
+def test_a_movie_replaces_another_and_keeps_its_permissions(run, tmp_path):
+    pytest.importorskip("imageio.v2")
+    output = tmp_path / "run.gif"
+    output.write_text("earlier")
+    output.chmod(0o600)
+    assert main(["render", str(run), "--steps", ":2", "-o", str(output), "--size", "32", "32"]) == 0
+    assert output.stat().st_mode & 0o777 == 0o600
+    assert output.read_bytes()[:4] == b"GIF8"
+    assert [path.name for path in tmp_path.iterdir() if path != run] == ["run.gif"]
 
 
 def test_odd_sizes_are_refused_for_movies(run, tmp_path, capfd):

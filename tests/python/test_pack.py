@@ -13,7 +13,6 @@ import pytest
 import pyvista as pv
 import spherepacking
 from spherepacking.cli.main import main
-from spherepacking.files.surfaces import ends_early, read_surface
 
 
 @pytest.fixture
@@ -105,54 +104,6 @@ def test_command(cube_file, capsys):
     np.testing.assert_array_equal(packing["radius"], made["radius"])
 
 
-FOUR = ["0 0 0", "1 0 0", "0 1 0", "0 0 1", "3 0 2 1", "3 0 1 3", "3 1 2 3", "3 2 0 3"]
-
-
-@pytest.mark.parametrize(
-    "lines",
-    [
-        ["OFF", "4 4 6", *FOUR],
-        ["# a comment", "", "OFF # and another", "4 4 0", *FOUR, "# the end"],
-        ["OFF 4 4 0", *FOUR],
-        ["OFF4 4 0", *FOUR],
-        ["COFF", "4 4 0", *(line + " 255 0 0 255" for line in FOUR)],
-    ],
-)
-def test_off_files(tmp_path, lines):
-    (tmp_path / "four.off").write_text("\n".join(lines) + "\n")
-    target = tmp_path / "four.csv"
-    assert main(["pack", str(tmp_path / "four.off"), str(target), "--count", "4"]) == 0
-    packing = spherepacking.read(target)
-    assert packing.n_points == 4
-    assert packing["radius"][0] == pytest.approx(0.5 - 1 / 12**0.5, rel=1e-6)
-
-
-@pytest.mark.parametrize(
-    ("lines", "message"),
-    [
-        ([], "found no line that begins OFF"),
-        (["4 4 0", *FOUR], "found no line that begins OFF"),
-        (["OFF", "4 x", *FOUR], "four.off:2: found 4 x, expected how many points"),
-        (
-            ["OFF", "4 4", *FOUR[:-1]],
-            "found 7 lines after that with the numbers, expected 4 points",
-        ),
-        (["OFF", "4 4", "1 2", *FOUR[1:]], "four.off:3: found 1 2, expected three coordinates"),
-        (
-            ["OFF", "4 4", *FOUR[:-1], "3 0 1 4"],
-            "four.off:10: found 3 0 1 4, expected .* from 0 to 3",
-        ),
-        (["OFF", "4 4", *FOUR[:-1], "-3 0 1 2"], "four.off:10: "),
-        (["OFF", "4 4", *FOUR[:-1], "3 0 1"], "four.off:10: "),
-    ],
-)
-def test_bad_off_files(tmp_path, lines, message):
-    path = tmp_path / "four.off"
-    path.write_text("\n".join(lines))
-    with pytest.raises(ValueError, match=message):
-        read_surface(path)
-
-
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
@@ -167,36 +118,23 @@ def test_bad_off_files(tmp_path, lines, message):
         (("cube.ply", "out.spheres", "--min-radius", "9"), "no sphere above that was found"),
         (("cube.ply", "out.spheres", "--count", "1.5"), "found 1.5, expected an integer"),
         (("cut.ply", "out.spheres"), "cut.ply: found a file that ends early, expected"),
+        (("text.glb", "out.spheres"), "text.glb: found the extension .glb, expected .off, .stl"),
     ],
 )
 def test_command_errors(cube_file, monkeypatch, capsys, arguments, message):
     monkeypatch.chdir(cube_file.parent)
     pv.Plane().save("open.ply")
     pv.PolyData(np.zeros((3, 3))).save("points.ply")
-    cube_file.with_name("cut.ply").write_bytes(cube_file.read_bytes()[:-5])  # crashes VTK's reader
+    cube_file.with_name("cut.ply").write_bytes(cube_file.read_bytes()[:-5])
     cube_file.with_name("text.txt").write_text("no surface\n")
     cube_file.with_name("text.ply").write_text("no surface\n")
+    cube_file.with_name("text.glb").write_text("no surface\n")
     cube_file.with_name("text.vtk").write_text("no surface\n")
     assert main(["pack", *arguments]) == 2
     said = capsys.readouterr().err
     assert message in said
     assert said.startswith("spherepacking: ")
     assert not cube_file.with_name("out.spheres").exists()
-
-
-@pytest.mark.parametrize("polygons", ["triangles", "both"])
-def test_binary_ply_files_that_end_early(tmp_path, polygons):
-    mesh = pv.Cube().clean() if polygons == "both" else pv.Cube().triangulate().clean()
-    if polygons == "both":
-        other = pv.Cube(center=(3, 0, 0)).triangulate().clean()
-        mesh = mesh.merge(other).extract_surface(algorithm=None)
-    path = tmp_path / "mesh.ply"
-    mesh.save(path)
-    data = path.read_bytes()
-    assert not ends_early(path)
-    for size in range(data.index(b"end_header") + 11, len(data)):
-        path.write_bytes(data[:size])
-        assert ends_early(path), size
 
 
 def test_stopped_packings_are_written(cube_file):

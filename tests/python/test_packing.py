@@ -1,5 +1,8 @@
 """Whether a packing has changed, also behind VTK's back."""
 
+import subprocess
+import sys
+
 import numpy as np
 import pytest
 import pyvista as pv
@@ -78,3 +81,20 @@ def test_radii_by_value_leave_the_packing_alone(packing):
     assert np.shares_memory(copy.points, packing.points)
     with pytest.raises(KeyError, match="radius: the packing has no point array 'width'"):
         check_radii(packing, "width")
+
+
+def test_packings_are_pickled(tmp_path):
+    """In a process that has imported no more than what reads the packing."""
+    code = """
+import pickle, sys
+import spherepacking
+packing = spherepacking.read(sys.argv[1])
+back = pickle.loads(pickle.dumps(packing))
+assert back == packing and back["radius"].tolist() == [2.0]
+"""
+    path = tmp_path / "one.xyzr"
+    path.write_text("0 0 0 2\n")
+    done = subprocess.run(
+        [sys.executable, "-c", code, path], capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 0, done.stderr

@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 #include <stdexcept>
 
 vtkStandardNewMacro(vtkSpherePacker);
@@ -36,6 +37,19 @@ double VolumeOf(const std::vector<PackedSphere>& spheres)
     volume += 4.0 / 3.0 * 3.14159265358979323846 * std::pow(sphere.Radius, 3);
   }
   return volume;
+}
+
+// Throws if a surface in its unit encloses so little that rounding may have made it.
+void CheckVolume(double volume, double unit)
+{
+  constexpr double least = 1e-12;
+  if (!(volume > least))
+  {
+    std::ostringstream found;
+    found << "surface: found a volume of " << volume * unit * unit * unit << " at a size of about "
+          << unit << ", expected more than " << least << " times the cube of that: a thicker one";
+    throw std::invalid_argument(found.str());
+  }
 }
 }
 
@@ -113,10 +127,7 @@ void vtkSpherePacker::Pack(vtkPolyData* surface, vtkPolyData* output)
   }
   const double volume = mesh.Volume();
   const double unitVolume = frame.Unit() * frame.Unit() * frame.Unit();
-  if (!(volume > 1e-12))
-  {
-    Refuse("surface", volume * unitVolume, "a surface that encloses a volume");
-  }
+  CheckVolume(volume, frame.Unit());
   PackingGoal goal;
   goal.Count = this->NumberOfSpheres;
   // UnitFrame::Write() makes spheres smaller by what rounding may do.

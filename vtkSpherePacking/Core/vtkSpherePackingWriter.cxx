@@ -32,9 +32,16 @@ Format WrittenFormat(const std::string& file)
   return extension == ".txt" ? Format::Yade : isXyz ? Format::Xyz : FormatOfExtension(file);
 }
 
-bool CanWrite(Format kind)
+// What is asked for, or by the extension of the file, which there must be.
+Format FormatOf(const char* file, int format)
 {
-  return (kind >= Format::Spheres && kind <= Format::Dump) || kind == Format::Xyz;
+  if (!file || !*file)
+  {
+    throw PackingFileError(
+      vtkErrorCode::NoFileNameError, "FileName: found none, expected the name of a file to write");
+  }
+  const auto kind = static_cast<Format>(format);
+  return kind == Format::Auto ? WrittenFormat(file) : kind;
 }
 }
 
@@ -110,34 +117,35 @@ int vtkSpherePackingWriter::RequestData(
 }
 
 //------------------------------------------------------------------------------
+int vtkSpherePackingWriter::CheckFile()
+{
+  this->ErrorMessage.clear();
+  this->SetErrorCode(vtkErrorCode::NoError);
+  const auto work = [&]
+  {
+    if (this->FileNameLost)
+    {
+      throw std::bad_alloc();
+    }
+    const spherepacking::Format kind = FormatOf(this->FileName, this->Format);
+    CheckWritable(this->FileName, kind);
+  };
+  const auto outOfMemory = [] { return std::string("not enough memory"); };
+  return RunGuarded(this, this->ErrorMessage, outOfMemory, work) == Outcome::Done ? 1 : 0;
+}
+
+//------------------------------------------------------------------------------
 void vtkSpherePackingWriter::WriteFile(vtkPolyData* packing)
 {
   if (this->FileNameLost)
   {
     throw std::bad_alloc();
   }
-  if (!this->FileName || !*this->FileName)
-  {
-    throw PackingFileError(
-      vtkErrorCode::NoFileNameError, "FileName: found none, expected the name of a file to write");
-  }
-  const std::string file = this->FileName;
   WriteOptions options;
+  options.Kind = FormatOf(this->FileName, this->Format);
+  const std::string file = this->FileName;
   options.Packing = packing;
   options.SortByRadius = this->SortByRadius;
-  options.Kind = static_cast<spherepacking::Format>(this->Format);
-  if (options.Kind == Format::Auto)
-  {
-    options.Kind = WrittenFormat(file);
-  }
-  if (!CanWrite(options.Kind))
-  {
-    throw PackingFileError(vtkErrorCode::UnrecognizedFileTypeError,
-      file +
-        ": found a format that cannot be written, expected the extension .spheres, "
-        ".xyzr, .txt, .csv, .xyzd, .dump or .xyz; spherepacking.write() writes .vtp, .vtu and "
-        ".vtk, too");
-  }
   vtkNew<vtkSpherePackingInput> input;
   options.Radii = input->FindRadii(packing, this->RadiusArrayName);
   if (!options.Radii)

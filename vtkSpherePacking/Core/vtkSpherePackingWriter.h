@@ -23,10 +23,12 @@
  * vectors. Texts have to be without what separates them. Numbers get the shortest
  * digits that read back as the same double, which also read back as the same float, in any locale.
  *
- * The file is replaced atomically, once it is complete: an error, an abort or a full disk leaves an
- * earlier file of that name as it was. One error is reported through vtkErrorMacro,
- * GetErrorCode() is set, and GetErrorMessage() is the sentence that names the file or the array,
- * what was found and what was expected. A packing without spheres is an error.
+ * The file is replaced atomically, once it is complete: an error, an abort, a full disk or the end
+ * of the process leaves an earlier file of that name as it was. It gets the permissions and the
+ * group of the earlier one; symbolic links are followed, other hard links keep the earlier content.
+ * One error is reported through vtkErrorMacro, GetErrorCode() is set, and GetErrorMessage() is the
+ * sentence that names the file or the array, what was found and what was expected. A packing
+ * without spheres is an error.
  *
  * It derives from vtkPolyDataAlgorithm rather than from vtkWriter, because what a subclass of
  * vtkWriter has to override changed between VTK 9.6 and 9.7.
@@ -92,7 +94,13 @@ public:
   int Write();
 
   /**
-   * The error of the last Write(), in one sentence; empty when there was none.
+   * Whether a packing can be written to that file, as far as that is known without one: 1, or 0
+   * after an error, such as a folder that is write-protected. No file is made.
+   */
+  int CheckFile();
+
+  /**
+   * The error of the last Write() or CheckFile(), in one sentence; empty when there was none.
    */
   const char* GetErrorMessage() const { return this->ErrorMessage.c_str(); }
 

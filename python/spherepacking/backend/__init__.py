@@ -118,6 +118,10 @@ else:
     vtkRenderStepsPass = _opengl.vtkRenderStepsPass
     vtkSequencePass = _opengl.vtkSequencePass
 
+    # Upstream: PyVista 0.49 pickles datasets, on cvista by what registers itself when this module
+    # is imported, which PyVista does later.
+    importlib.import_module(f"{VTK_ROOT}.vtkIOLegacy")
+
     # How a number comes back from a C++ reference.
     _common_core = importlib.import_module(f"{VTK_ROOT}.vtkCommonCore")
     reference = _common_core.reference

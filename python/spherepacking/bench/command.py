@@ -9,6 +9,7 @@ from rich.console import Console
 
 from ..files.image import check_output
 from ..files.replace import check_replaceable, replace_file
+from ..printable import printable
 from ..testing.accuracy import LARGEST_COUNT
 from . import fields
 from .catalog import everything
@@ -112,11 +113,11 @@ def run(
     console = Console(width=max(Console().width, 126))
     if balls:
         console.print(fields.table_of(balls))
-        console.print(f"written: {balls_csv}")
+        console.print(printable(f"written: {balls_csv}"), markup=False)
     if rows:
         write_chart(rows, png)
         console.print(table_of(rows, size))
-        console.print(f"written: {csv}, {png}")
+        console.print(printable(f"written: {csv}, {png}"), markup=False)
     if stopped is not None:
         raise stopped
     return rows

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import re
+import shutil
 from contextlib import contextmanager
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING
 
 from ..files.image import check_output, read_image
+from ..files.replace import check_replaceable, replacing
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
@@ -100,8 +102,7 @@ def check_frames(output: Path, size: tuple[int, int]) -> None:
         ) from None
     if output.suffix.lower() != ".gif" and (size[0] % 2 or size[1] % 2):
         raise ValueError(f"--size: found {size[0]} {size[1]}, expected even numbers for a movie")
-    if not output.parent.is_dir():
-        raise FileNotFoundError(f"{output}: there is no folder {output.parent}")
+    check_replaceable(output)
 
 
 @contextmanager
@@ -128,7 +129,8 @@ def frame_writer(
         return
     from imageio.v2 import get_writer
 
-    with TemporaryDirectory(dir=output.parent, prefix=f".{output.stem[:50]}-") as folder:
+    # Not beside the movie, where it would be left if the process was killed.
+    with TemporaryDirectory(prefix="spherepacking-") as folder:
         part = Path(folder) / output.name
         frame = Path(folder) / "frame.png"
         gif = output.suffix.lower() == ".gif"
@@ -145,4 +147,5 @@ def frame_writer(
                 writer.append_data(read_image(frame)[..., :3])
 
             yield append
-        part.replace(output)
+        with part.open("rb") as whole, replacing(output) as file:
+            shutil.copyfileobj(whole, file)

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..accessor import PackingAccessor
+from ..printable import printable
 
 if TYPE_CHECKING:
     import pyvista as pv
@@ -69,6 +70,7 @@ def _volume(radii: np.ndarray) -> str:
 def _named(packing: pv.PolyData, name: str) -> str:
     """Name of an array, and what it holds if that is not one number per sphere."""
     values = packing.point_data[name]
+    name = printable(name)
     if values.dtype.kind in "US":
         return f"{name} (text)"
     return f"{name} ({values.shape[1]} components)" if values.ndim > 1 else name

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from cyclopts import Parameter
 
+from ..printable import printable
 from .options import Whole
 
 if TYPE_CHECKING:
@@ -83,7 +84,7 @@ def read_step(steps: PackingSteps, path: Path, options: InputOptions) -> pv.Poly
         times = steps[index : index + 1].times
         at = f", of time {times[0]:g}" if times else ""
         print(
-            f"spherepacking: {path} has {len(steps)} steps, this is the first{at}; "
+            f"spherepacking: {printable(str(path))} has {len(steps)} steps, this is the first{at}; "
             "--step takes another",
             file=sys.stderr,
         )

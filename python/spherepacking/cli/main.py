@@ -10,10 +10,12 @@ from typing import Annotated
 
 from cyclopts import App, CycloptsError, Parameter
 
+from ..printable import printable
 from .input import InputOptions
 from .options import RenderOptions, Whole
 
 _READ_BY_DEFAULT = InputOptions()
+_LONGEST = 2000  # characters of an error
 
 
 def _version() -> str:
@@ -104,12 +106,13 @@ def convert(packing: Path, target: Path, /, *, source: InputOptions = _READ_BY_D
     """
     _load()
 
-    from ..files.writers import left_out, write
+    from ..files.writers import check_writable, left_out, write
     from .input import open_steps, read_step
 
     packing, target = packing.expanduser(), target.expanduser()
     if target.exists() and packing.exists() and target.samefile(packing):
         raise ValueError(f"{target}: found the source as the target, expected another file")
+    check_writable(target)
     read = read_step(open_steps(packing, source), packing, source)
     write(read, target)
     if lost := left_out(read, target):
@@ -134,7 +137,8 @@ def pack(
     Parameters
     ----------
     mesh
-        File with the surface, of any format that PyVista reads, or .off.
+        File with the surface: .off, .stl, .ply, .obj, .vtp, .vtu or .vtk. No other file that it
+        names is read.
     target
         File to write; its extension decides about the format.
     count
@@ -248,7 +252,8 @@ def main(arguments: list[str] | None = None) -> int:
         # Whoever reads the output has seen enough, as `head` does.
         return 128 + signal.SIGPIPE
     except (CycloptsError, OSError, ValueError, ImportError) as error:
-        print(f"spherepacking: {' '.join(str(error).split())}", file=sys.stderr)
+        text = printable(" ".join(str(error).split()), _LONGEST)
+        print(f"spherepacking: {text}", file=sys.stderr)
         return 2
     except MemoryError as error:
         print(f"spherepacking: not enough memory: {error}".rstrip(": "), file=sys.stderr)

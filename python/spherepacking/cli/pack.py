@@ -5,15 +5,13 @@ from __future__ import annotations
 import sys
 import warnings
 from pathlib import Path
-from tempfile import TemporaryDirectory
 
 import numpy as np
-import pyvista as pv
 
-from ..files.errors import PackingFileError
 from ..files.surfaces import read_surface
-from ..files.writers import write
+from ..files.writers import check_writable, write
 from ..make.pack import pack
+from ..printable import printable
 
 
 def pack_file(
@@ -41,20 +39,13 @@ def pack_file(
     bool
         False if Ctrl-C ended it early; the spheres that were there are written.
     """
-    if target.is_dir():
-        raise IsADirectoryError(f"{target}: found a directory, expected a file name")
-    if not target.parent.is_dir():
-        raise FileNotFoundError(f"{target}: there is no folder {target.parent}")
-    with TemporaryDirectory() as folder:
-        # Whether the packing can be written should be known before the work.
-        trial = pv.PolyData(np.zeros((1, 3)))
-        trial["radius"] = np.ones(1)
-        trial_path = Path(folder) / target.name
-        try:
-            write(trial, trial_path)
-        except PackingFileError as error:
-            raise PackingFileError(str(error).replace(str(trial_path), str(target))) from None
-    mesh = read_surface(source)
+    # Before the work, which may be long.
+    check_writable(target)
+    with warnings.catch_warnings(record=True) as told:
+        warnings.simplefilter("always")
+        mesh = read_surface(source)
+    for warning in told:
+        print(printable(str(warning.message)), file=sys.stderr)
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         packing = pack(
@@ -70,5 +61,5 @@ def pack_file(
     part = "an unknown part" if np.isnan(filled) else f"{filled:.1%}"
     print(f"{packing.n_points} spheres fill {part} of the volume")
     for warning in caught:
-        print(warning.message, file=sys.stderr)
+        print(printable(str(warning.message)), file=sys.stderr)
     return not caught

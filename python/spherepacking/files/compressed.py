@@ -15,6 +15,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from ..printable import printable
 from .errors import PackingFileError
 
 if TYPE_CHECKING:
@@ -138,8 +139,8 @@ class Uncompressed:
         try:
             yield
         except (PackingFileError, ImportError) as error:
-            text = str(error).replace(str(self.path), str(self._source))
-            text = text.replace(str(self.path.parent), str(self._source.parent))
+            text = str(error).replace(printable(str(self.path)), str(self._source))
+            text = text.replace(printable(str(self.path.parent)), str(self._source.parent))
             raise type(error)(text) from None
 
 

@@ -16,6 +16,7 @@ import numpy as np
 import OpenImageIO as oiio
 
 from ..checks import half_of_memory
+from ..printable import printable
 from .replace import check_replaceable, replace_file
 
 if TYPE_CHECKING:
@@ -53,12 +54,13 @@ class ImageDifference(NamedTuple):
 
 def _create(path: Path) -> oiio.ImageOutput:
     check_replaceable(path)
+    shown = printable(str(path))
     output = oiio.ImageOutput.create(f"picture{path.suffix}")
     if output is None:
         reason = oiio.geterror().strip()
-        raise ValueError(f"{path}: no picture format of that extension can be written: {reason}")
+        raise ValueError(f"{shown}: no picture format of that extension can be written: {reason}")
     if output.format_name() in ("null", "term"):
-        raise ValueError(f"{path}: no picture format of that extension can be written to a file")
+        raise ValueError(f"{shown}: no picture format of that extension can be written to a file")
     return output
 
 
@@ -167,6 +169,7 @@ def _write_whole(
     In C++ OpenImageIO writes to memory by itself, but its Python module has no IOProxy:
     https://github.com/AcademySoftwareFoundation/OpenImageIO/pull/1931.
     """
+    shown = printable(str(path))
     # Upstream: OpenImageIO 3.2's writer of JPEG 2000 goes by the extension of the file that it
     # opens, and writes nothing without one, so the memory needs a name that has it.
     with TemporaryDirectory() as folder, os.fdopen(os.memfd_create("picture"), "rb") as memory:
@@ -175,7 +178,7 @@ def _write_whole(
             os.truncate(memory.fileno(), 2 * spec.image_bytes() + 65536)
             os.truncate(memory.fileno(), 0)
         except OSError as error:
-            raise OSError(f"{path}: the picture cannot be written ({error.strerror})") from error
+            raise OSError(f"{shown}: the picture cannot be written ({error.strerror})") from error
         name = Path(folder, f"picture{path.suffix}")
         name.symlink_to(f"/proc/self/fd/{memory.fileno()}")
         # Encoders complain on their own about what they were opened for and did not get, so the
@@ -188,10 +191,10 @@ def _write_whole(
             # Closing flushes, so it is part of writing and may fail as well.
             closed = output.close()
         if not (closed and written):
-            raise OSError(f"{path}: the picture cannot be written: {output.geterror().strip()}")
+            raise OSError(f"{shown}: the picture cannot be written: {output.geterror().strip()}")
         if not _can_be_read(name):
             raise OSError(
-                f"{path}: the picture cannot be written: what was encoded cannot be read back"
+                f"{shown}: the picture cannot be written: what was encoded cannot be read back"
             )
         with mmap.mmap(memory.fileno(), 0, access=mmap.ACCESS_READ) as encoded:
             replace_file(path, encoded)
@@ -279,21 +282,20 @@ def read_small_image(
         If it cannot be read, or is too large.
     """
     path = Path(path).expanduser()
+    shown = printable(str(path))
     if not path.exists():
-        raise FileNotFoundError(f"{path}: no such file")
+        raise FileNotFoundError(f"{shown}: no such file")
     config = oiio.ImageSpec()
     config.attribute(_STRAIGHT_ALPHA, 1)
     source = oiio.ImageInput.open(str(path), config)
     if source is None:
-        raise OSError(f"{path}: the picture cannot be read: {oiio.geterror().strip()}")
+        raise OSError(f"{shown}: the picture cannot be read: {oiio.geterror().strip()}")
     try:
         spec = source.spec()
-        check_pixels(
-            f"{path}", spec.width, spec.height, max(spec.pixel_bytes(), bytes_per_pixel), most
-        )
+        check_pixels(shown, spec.width, spec.height, max(spec.pixel_bytes(), bytes_per_pixel), most)
         pixels = source.read_image(spec.format)
         if pixels is None:
-            raise OSError(f"{path}: the picture cannot be read: {source.geterror().strip()}")
+            raise OSError(f"{shown}: the picture cannot be read: {source.geterror().strip()}")
     finally:
         source.close()
     return np.atleast_3d(pixels)

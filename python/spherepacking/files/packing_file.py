@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import pyvista as pv
 
+from ..printable import printable
 from ..vtk_tools import progress_bar
 from .compressed import Uncompressed, compression_of, inner_name
 from .errors import PackingFileError
@@ -58,12 +59,13 @@ def open_file(path: Path, request: Request) -> PackingSource:
     PackingFileError
         If it is no such file.
     """
+    shown = printable(str(path))
     if path.is_dir():
-        raise IsADirectoryError(f"{path}: found a directory, expected a file with a packing")
+        raise IsADirectoryError(f"{shown}: found a directory, expected a file with a packing")
     if not path.exists():
-        raise FileNotFoundError(f"{path}: there is no such file")
+        raise FileNotFoundError(f"{shown}: there is no such file")
     if not path.is_file():
-        raise OSError(f"{path}: found a pipe or a device, expected a file")
+        raise OSError(f"{shown}: found a pipe or a device, expected a file")
     compression = compression_of(path)
     if compression is None:
         return _open(path, path, request)
@@ -108,7 +110,7 @@ class _PlainFile:
             reader.set_active_time_point(index)
         # What was read before belongs to whoever asked for it.
         reader.reader.Modified()
-        bar = progress_bar(reader.reader, f"Reading {self._shown.name}", _BAR_DELAY)
+        bar = progress_bar(reader.reader, f"Reading {printable(self._shown.name)}", _BAR_DELAY)
         try:
             with bar if self._request.progress else nullcontext():
                 packing = reader.read()

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import pyvista as pv
 
 from ..checks import index_in, shown, some_of
+from ..printable import printable
 from ..vtk_tools import ErrorLog, errors_raised, progress_bar
 from .errors import PackingFileError
 
@@ -68,7 +69,9 @@ class SpherePackingReader(pv.BaseReader, pv.TimeReader):  # type: ignore[type-ar
         self._times: _Times | None = None
 
     def _set_directory(self, directory: str) -> None:
-        raise IsADirectoryError(f"{directory}: found a directory, expected a file with a packing")
+        raise IsADirectoryError(
+            printable(f"{directory}: found a directory, expected a file with a packing")
+        )
 
     def _update_information(self) -> None:
         # Upstream: PyVista 0.49 calls this when a reader is made, and passes on no error of VTK.

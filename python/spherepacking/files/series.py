@@ -9,6 +9,7 @@ import re
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
+from ..printable import printable
 from .errors import PackingFileError
 from .vtk_files import parts_by_time
 
@@ -46,8 +47,10 @@ class Entry(NamedTuple):
         for file in self.files:
             if self.named_by is not None and not file.exists():
                 raise FileNotFoundError(
-                    f"{self.named_by}: found the file {file} in it, which does not exist, expected "
-                    "one that does; step= and --step take other steps"
+                    printable(
+                        f"{self.named_by}: found the file {file} in it, which does not exist, "
+                        "expected one that does; step= and --step take other steps"
+                    )
                 )
 
 
@@ -110,7 +113,7 @@ def _fitting(pattern: str) -> list[Path] | None:
     else:
         return None
     if not found:
-        raise FileNotFoundError(f"{pattern}: there is no file whose name fits")
+        raise FileNotFoundError(printable(f"{pattern}: there is no file whose name fits"))
     return [Path(name) for name in sorted(found, key=_natural)]
 
 

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, NoReturn
 
 import numpy as np
 
+from ..printable import quoted
 from .errors import PackingFileError
 from .vtk_numbers import NoNumber, numbers
 
@@ -70,13 +71,12 @@ class _Walk:
         version = re.match(rb"# vtk DataFile Version\s+(\d)\.\d{1,2}(?!\d)", data)
         if version is None:
             raise PackingFileError(
-                f"{path}, line 1: found {data[:40].decode('ascii', 'replace')!r}, expected "
+                f"{path}, line 1: found {quoted(data[:40])}, expected "
                 "'# vtk DataFile Version 3.0' or the like"
             )
         self._offsets = int(version[1]) >= 5
         title = data.find(b"\n", data.find(b"\n") + 1)
         self._at = title + 1 if title > 0 else len(data)
-        self._binary = False
         self._tuples = 0
 
     def check(self) -> None:
@@ -86,7 +86,7 @@ class _Walk:
         while (word := self._word().lower()) and self._section(word):
             passed.add(word)
         if not passed & {b"points", b"dimensions"}:
-            self._refuse(f"{word[:30].decode('ascii', 'replace')!r}", "POINTS or DIMENSIONS")
+            self._refuse(quoted(word, 30), "POINTS or DIMENSIONS")
 
     def _section(self, word: bytes) -> bool:
         """Pass what follows a keyword; False if that is not known."""
@@ -177,7 +177,7 @@ class _Walk:
             self._texts(count)
             return _NO_VALUES
         if kind not in _KINDS:
-            self._refuse(f"the type {kind[:30].decode('ascii', 'replace')!r}", "one of VTK")
+            self._refuse(f"the type {quoted(kind, 30)}", "one of VTK")
         number = np.dtype(_KINDS[kind])
         if not self._binary:
             return self._numbers(count, number, keep=keep)
@@ -242,7 +242,7 @@ class _Walk:
         if not word:
             self._refuse("its end", "a count")
         if not word.isdigit() or len(word) > 18:
-            self._refuse(f"{word[:30].decode('ascii', 'replace')!r}", "a count")
+            self._refuse(quoted(word, 30), "a count")
         return int(word)
 
     def _refuse_early(self, count: int) -> NoReturn:

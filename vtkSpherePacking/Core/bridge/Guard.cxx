@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bridge/Guard.h"
 
+#include "bridge/PrintableText.h"
+
 #include "vtkAlgorithm.h"
 #include "vtkErrorCode.h"
 
@@ -41,17 +43,17 @@ Outcome RunGuarded(vtkAlgorithm* algorithm, std::string& message,
     catch (const std::bad_alloc&)
     {
       code = vtkErrorCode::UserError;
-      message = outOfMemory();
+      message = PrintableSentence(outOfMemory());
     }
     catch (const CodedError& error)
     {
       code = error.Code;
-      message = error.what();
+      message = PrintableSentence(error.what());
     }
     catch (const std::exception& error)
     {
       code = vtkErrorCode::UserError;
-      message = error.what();
+      message = PrintableSentence(error.what());
     }
   }
   catch (const std::bad_alloc&)

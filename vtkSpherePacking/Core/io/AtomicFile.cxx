@@ -63,41 +63,18 @@ AtomicFile::AtomicFile(const std::string& file)
     throw PackingFileError(vtkErrorCode::CannotOpenFileError,
       file + ": found a file that is write-protected, expected one that can be written to");
   }
-  // "x" fails rather than overwrite a file of somebody else. The name does not contain the
-  // target's, since a longer one than that may be too long.
-  for (int attempt = 0; !this->Stream && attempt < 100; ++attempt)
-  {
-    this->Temporary =
-      (target.parent_path() / (".spherepacking" + std::to_string(attempt) + ".part")).u8string();
-    errno = 0;
-    this->Stream = SystemTools::Fopen(this->Temporary, "wbx");
-    if (!this->Stream && errno != EEXIST)
-    {
-      break;
-    }
-  }
-  if (!this->Stream)
+  if (!this->Part.emplace(this->Target).Stream())
   {
     throw PackingFileError(vtkErrorCode::CannotOpenFileError,
-      file + ": cannot write '" + this->Temporary + "' (" + std::strerror(errno) +
+      file + ": cannot write beside it (" + std::strerror(errno) +
         "), expected a folder that can be written to");
-  }
-}
-
-//------------------------------------------------------------------------------
-AtomicFile::~AtomicFile()
-{
-  if (this->Stream)
-  {
-    std::fclose(this->Stream);
-    SystemTools::RemoveFile(this->Temporary);
   }
 }
 
 //------------------------------------------------------------------------------
 void AtomicFile::Write(const char* bytes, std::size_t length)
 {
-  if (std::fwrite(bytes, 1, length, this->Stream) != length)
+  if (std::fwrite(bytes, 1, length, this->Part->Stream()) != length)
   {
     this->ThrowFull();
   }
@@ -106,30 +83,17 @@ void AtomicFile::Write(const char* bytes, std::size_t length)
 //------------------------------------------------------------------------------
 void AtomicFile::Commit()
 {
-  if (std::fflush(this->Stream) != 0)
+  if (this->Part->TakeName(this->Target))
+  {
+    return;
+  }
+  if (errno == ENOSPC || errno == EDQUOT || errno == EFBIG || errno == EIO)
   {
     this->ThrowFull();
   }
-  mode_t permissions = 0;
-  if (SystemTools::GetPermissions(this->Target, permissions))
-  {
-    SystemTools::SetPermissions(this->Temporary, permissions);
-  }
-  const int closed = std::fclose(this->Stream);
-  this->Stream = nullptr;
-  std::error_code error(closed == 0 ? 0 : errno, std::generic_category());
-  if (!error)
-  {
-    std::filesystem::rename(
-      std::filesystem::u8path(this->Temporary), std::filesystem::u8path(this->Target), error);
-  }
-  if (error)
-  {
-    SystemTools::RemoveFile(this->Temporary);
-    throw PackingFileError(vtkErrorCode::CannotOpenFileError,
-      this->File + ": the file could not be put in its place (" + error.message() +
-        "), expected one that can be replaced");
-  }
+  throw PackingFileError(vtkErrorCode::CannotOpenFileError,
+    this->File + ": the file could not be put in its place (" + std::strerror(errno) +
+      "), expected one that can be replaced");
 }
 
 //------------------------------------------------------------------------------

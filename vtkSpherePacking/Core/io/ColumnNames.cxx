@@ -5,7 +5,7 @@
 #include "io/NameBrackets.h"
 #include "io/NameMeaning.h"
 #include "io/PackingFileError.h"
-#include "io/PrintableText.h"
+#include "bridge/PrintableText.h"
 
 #include <algorithm>
 #include <array>

@@ -119,7 +119,7 @@ bool IsThere(const std::string& file)
 }
 
 //------------------------------------------------------------------------------
-double DiameterScale(const std::string& xyzdFile, unsigned long long count)
+double DiameterScale(const std::string& xyzdFile, std::optional<vtkIdType> count)
 {
   using vtksys::SystemTools;
   const std::string path = SystemTools::GetFilenamePath(xyzdFile);
@@ -134,7 +134,10 @@ double DiameterScale(const std::string& xyzdFile, unsigned long long count)
   // hard spheres", 2014, whose program stores the diameters before its last rescaling.
   const auto scale = [&]
   {
-    CheckCount(bytes, count);
+    if (count)
+    {
+      CheckCount(bytes, static_cast<unsigned long long>(*count));
+    }
     return std::cbrt((1.0 - Porosity(bytes, "Final Porosity:")) /
       (1.0 - Porosity(bytes, "Theoretical Porosity:")));
   };

@@ -9,7 +9,10 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
+#include <limits>
 #include <string>
+#include <string_view>
 #include <system_error>
 
 namespace spherepacking
@@ -68,6 +71,30 @@ inline bool IsNegative(const char* p, const char* end, T value)
 inline bool IsCount(double value)
 {
   return value >= 0.0 && value <= 0x1p53 && value == std::floor(value);
+}
+
+/// Whether an integer is what its digits [begin, end) say, which doubles are not beyond 2^53: those
+/// of identifiers of 64 bits are others. True of numbers with a point or an exponent, and of those
+/// without digits.
+inline bool IsAsWritten(const char* begin, const char* end, double value)
+{
+  if (!(std::abs(value) > 0x1p53))
+  {
+    return true;
+  }
+  const auto isDigit = [](char c) { return c >= '0' && c <= '9'; };
+  begin = std::find_if(begin, end, isDigit);
+  const char* const last = std::find_if_not(begin, end, isDigit);
+  if (begin == last || (last != end && (*last == '.' || *last == 'e' || *last == 'E')))
+  {
+    return true;
+  }
+  char digits[std::numeric_limits<double>::max_exponent10 + 2];
+  const auto written = std::to_chars(
+    std::begin(digits), std::end(digits), std::abs(value), std::chars_format::fixed, 0);
+  begin = std::find_if(begin, last, [](char c) { return c != '0'; });
+  return std::string_view(begin, last - begin) ==
+    std::string_view(std::begin(digits), written.ptr - std::begin(digits));
 }
 
 /// The maximum length of what WriteNumber() writes.

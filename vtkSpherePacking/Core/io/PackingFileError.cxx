@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/PackingFileError.h"
 
-#include "io/PrintableText.h"
+#include "bridge/PrintableText.h"
 
 #include "vtkErrorCode.h"
 

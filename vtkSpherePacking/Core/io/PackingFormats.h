@@ -5,6 +5,9 @@
 #include "bridge/PackingArrays.h"
 #include "io/Progress.h"
 
+#include "vtkType.h"
+
+#include <optional>
 #include <string>
 
 namespace spherepacking
@@ -84,10 +87,10 @@ PackingArrays ReadMercury(
 /// Throws a ContentError: "holds no sphere, expected EXPECTED".
 [[noreturn]] void ThrowNoSphere(const std::string& expected);
 
-/// The factor for the diameters of an .xyzd file of `count` spheres, from the .nfo file of the same
-/// name beside it; 1 if there is none. Throws if there is one that cannot be read, does not hold
-/// both porosities, each once, or is of another number of spheres.
-double DiameterScale(const std::string& xyzdFile, unsigned long long count);
+/// The factor for the diameters of an .xyzd file of `count` spheres, if that is known, from the
+/// .nfo file of the same name beside it; 1 if there is none. Throws if there is one that cannot be
+/// read, does not hold both porosities, each once, or is of another number of spheres.
+double DiameterScale(const std::string& xyzdFile, std::optional<vtkIdType> count);
 }
 
 #endif

@@ -4,7 +4,7 @@
 #include "io/LineScanner.h"
 #include "io/PackingFileError.h"
 #include "io/PackingFormats.h"
-#include "io/PrintableText.h"
+#include "bridge/PrintableText.h"
 #include "io/PdbRecord.h"
 #include "io/SphereFields.h"
 #include "io/Utf8Mark.h"

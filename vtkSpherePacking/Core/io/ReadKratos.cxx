@@ -3,7 +3,7 @@
 #include "io/LineScanner.h"
 #include "io/Misspelt.h"
 #include "io/PackingFileError.h"
-#include "io/PrintableText.h"
+#include "bridge/PrintableText.h"
 #include "io/PackingFormats.h"
 #include "io/SphereFields.h"
 #include "io/Utf8Mark.h"

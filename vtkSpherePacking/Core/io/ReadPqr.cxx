@@ -4,7 +4,7 @@
 #include "io/FileBytes.h"
 #include "io/Number.h"
 #include "io/PackingFileError.h"
-#include "io/PrintableText.h"
+#include "bridge/PrintableText.h"
 #include "io/PackingFormats.h"
 #include "io/PdbModels.h"
 #include "io/PdbNamedPqr.h"

@@ -125,7 +125,7 @@ PackingArrays ReadXyzd(const std::string& file, const ReadOptions& options, Prog
     throw PackingFileError(vtkErrorCode::FileFormatError,
       file + ": found text, expected x y z diameter as float64, 32 bytes a sphere");
   }
-  const double scale = DiameterScale(file, size / SphereBytes);
+  const double scale = DiameterScale(file, static_cast<vtkIdType>(size / SphereBytes));
   progress.SetRange(0.0, 0.5);
   const FileBytes bytes = FileBytes::ReadRange(file, 0, size, progress);
   return WithFileName(file, [&] { return ParseXyzd(bytes, scale, options, progress); });

@@ -4,7 +4,7 @@
 
 #include "base/Dispatch.h"
 #include "io/Number.h"
-#include "io/PrintableText.h"
+#include "bridge/PrintableText.h"
 #include "io/ShortRow.h"
 #include "io/ShortRows.h"
 #include "io/TableLayout.h"
@@ -231,16 +231,18 @@ private:
     return end;
   }
 
-  // An empty field is NaN; any other that is no number makes the whole column text.
+  // An empty field is NaN; any other that is no number makes the whole column text, and so does an
+  // integer that no double is.
   const char* ParseExtra(const char* p, int column, vtkIdType row) const
   {
     double& value = this->Extras.Numbers[column][row];
-    if (const char* const end = this->ParseField(p, value))
+    const char* end = this->ParseField(p, value);
+    if (end && IsAsWritten(p, end, value))
     {
       return end;
     }
     value = std::numeric_limits<double>::quiet_NaN();
-    const char* const end = this->SkipField(p);
+    end = this->SkipField(p);
     if (end != p)
     {
       this->Extras.IsText[column].store(true, std::memory_order_relaxed);

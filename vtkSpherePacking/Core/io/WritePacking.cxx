@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 namespace spherepacking
 {
@@ -108,9 +109,9 @@ void WriteSpheres(const WriteOptions& options, const std::vector<WrittenArray>& 
 }
 
 // The reader would multiply the diameters by the scale of an .nfo file beside the file.
-void CheckDiameterScale(const std::string& file, vtkIdType count)
+void CheckDiameterScale(const std::string& file, std::optional<vtkIdType> count)
 {
-  const double scale = DiameterScale(file, static_cast<unsigned long long>(count));
+  const double scale = DiameterScale(file, count);
   if (scale != 1.0)
   {
     throw PackingFileError(vtkErrorCode::CannotOpenFileError,
@@ -118,15 +119,35 @@ void CheckDiameterScale(const std::string& file, vtkIdType count)
         ", expected none, or one that leaves them");
   }
 }
+
+void CheckFormat(const std::string& file, Format kind, std::optional<vtkIdType> count)
+{
+  if (!((kind >= Format::Spheres && kind <= Format::Dump) || kind == Format::Xyz))
+  {
+    throw PackingFileError(vtkErrorCode::UnrecognizedFileTypeError,
+      file +
+        ": found a format that cannot be written, expected the extension .spheres, "
+        ".xyzr, .txt, .csv, .xyzd, .dump or .xyz; spherepacking.write() writes .vtp, .vtu and "
+        ".vtk, too");
+  }
+  if (kind == Format::Xyzd)
+  {
+    CheckDiameterScale(file, count);
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+void CheckWritable(const std::string& file, Format kind)
+{
+  CheckFormat(file, kind, std::nullopt);
+  const AtomicFile target(file);
 }
 
 //------------------------------------------------------------------------------
 void WritePacking(const std::string& file, const WriteOptions& options, Progress& progress)
 {
-  if (options.Kind == Format::Xyzd)
-  {
-    CheckDiameterScale(file, options.Packing->GetNumberOfPoints());
-  }
+  CheckFormat(file, options.Kind, options.Packing->GetNumberOfPoints());
   const auto write = [&]
   {
     const std::vector<WrittenArray> arrays = ChooseArrays(options);

@@ -24,6 +24,10 @@ struct WriteOptions
   bool SortByRadius = true;
 };
 
+/// Throws a PackingFileError if a packing cannot be written there in that format, as far as that is
+/// known before it is. Nothing is left of the attempt.
+void CheckWritable(const std::string& file, Format kind);
+
 /**
  * Writes a packing, or throws and leaves an earlier file as it was. Numbers get the shortest digits
  * that read back as the same double, so that they also read back as the same float.

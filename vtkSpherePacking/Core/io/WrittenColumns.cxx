@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/WrittenColumns.h"
 
+#include "bridge/PrintableText.h"
 #include "bridge/VectorArrays.h"
 #include "io/PackingFileError.h"
 #include "io/TableLayout.h"
@@ -12,6 +13,7 @@
 #include "vtkStringArray.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <set>
 
 namespace spherepacking
@@ -26,16 +28,74 @@ std::string QuotedText(const std::string& text)
 // What separates names, or has another meaning among them.
 const char* Separating(Format kind)
 {
-  return kind == Format::Csv ? ",;\t\"\r\n" : kind == Format::Xyz ? ": \t\"\r\n\\" : " \t\r\n";
+  return kind == Format::Csv ? ",;\t\"\r\n" : kind == Format::Xyz ? ": \t\"'{}\r\n\\" : " \t\r\n";
 }
 
 void CheckName(Format kind, const std::string& name)
 {
-  if (name.empty() || name.find_first_of(Separating(kind)) != std::string::npos)
+  if (name.empty())
+  {
+    throw ContentError("found a point array without a name, expected one, since it goes into the "
+                       "header of the file");
+  }
+  if (name.find_first_of(Separating(kind)) != std::string::npos)
   {
     throw ContentError("the point array " + QuotedText(name) +
       " has a separator, a quote or a line end in its name, expected none, since it goes into the "
       "header of the file");
+  }
+  if (name.front() == ' ' || name.back() == ' ' || PrintableText(name) != name)
+  {
+    throw ContentError("the point array " + QuotedText(name) +
+      " has a blank at an end of its name, or what is no visible character, expected none, since "
+      "it would be read as another name");
+  }
+}
+
+// Whether double precision holds an integer: all up to 2^53, and others that end in zeros.
+bool IsExact(std::uint64_t magnitude)
+{
+  constexpr std::uint64_t all = std::uint64_t(1) << 53;
+  const std::uint64_t lowestBit = magnitude & (~magnitude + 1);
+  return magnitude <= all || magnitude / lowestBit <= all;
+}
+
+// Numbers in text are read in double precision.
+template <typename Integer>
+void CheckIntegers(const std::string& name, const Integer* values, vtkIdType count, int components)
+{
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const auto bits = static_cast<std::uint64_t>(values[i]);
+    if (!IsExact(values[i] < 0 ? ~bits + 1 : bits))
+    {
+      throw ContentError("the point array " + QuotedText(name) + " holds " +
+        std::to_string(values[i]) + " at point " + std::to_string(i / components) +
+        ", expected integers that double precision holds, as numbers in text are read: .vtp, .vtu "
+        "and .vtk hold others");
+    }
+  }
+}
+
+void CheckNumbers(const std::string& name, vtkDataArray* array)
+{
+  const void* const values = array->GetVoidPointer(0);
+  const vtkIdType count = array->GetNumberOfValues();
+  const int components = array->GetNumberOfComponents();
+  switch (array->GetDataType())
+  {
+    case VTK_LONG:
+      return CheckIntegers(name, static_cast<const long*>(values), count, components);
+    case VTK_LONG_LONG:
+      return CheckIntegers(name, static_cast<const long long*>(values), count, components);
+    case VTK_ID_TYPE:
+      return CheckIntegers(name, static_cast<const vtkIdType*>(values), count, components);
+    case VTK_UNSIGNED_LONG:
+      return CheckIntegers(name, static_cast<const unsigned long*>(values), count, components);
+    case VTK_UNSIGNED_LONG_LONG:
+      return CheckIntegers(name, static_cast<const unsigned long long*>(values), count, components);
+    default: // all values of the others are
+      return;
   }
 }
 
@@ -111,7 +171,7 @@ bool IsHeld(const WriteOptions& options, vtkAbstractArray* array)
 {
   vtkDataArray* const numbers = vtkDataArray::SafeDownCast(array);
   const std::string name = array->GetName() ? array->GetName() : "";
-  if (name.empty() || array == options.Radii || !(numbers || vtkStringArray::SafeDownCast(array)))
+  if (array == options.Radii || !(numbers || vtkStringArray::SafeDownCast(array)))
   {
     return false;
   }
@@ -121,6 +181,17 @@ bool IsHeld(const WriteOptions& options, vtkAbstractArray* array)
       numbers->GetNumberOfComponents() == 1;
   }
   return !numbers || !(IsMadeOfOthers(options, numbers) || IsPartOfProperty(options, name));
+}
+
+// Whether readers of extended XYZ take a property for the centres or the radii.
+bool IsTakenForAnother(const WrittenArray& array)
+{
+  std::string name = array.Name;
+  std::transform(name.begin(), name.end(), name.begin(),
+    [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  const auto is = [&name](const char* other) { return name == other; };
+  return array.Columns.size() == 3 ? is("pos") || is("position") || is("positions")
+                                   : is("radius") || is("radii");
 }
 
 // Throws if the reader would take the name of a column for another one, or for the same twice.
@@ -133,6 +204,12 @@ void CheckColumns(Format kind, const std::vector<WrittenArray>& arrays)
     if (kind == Format::Xyz && !properties.insert(array.Name).second)
     {
       throw ContentError("found the name " + QuotedText(array.Name) + " twice, expected once");
+    }
+    // The first two are the centres and the radii.
+    if (kind == Format::Xyz && &array - arrays.data() >= 2 && IsTakenForAnother(array))
+    {
+      throw ContentError("found the name " + QuotedText(array.Name) +
+        " of an array, expected another one, since it would be read as the centres or the radii");
     }
     names.insert(names.end(), array.Columns.begin(), array.Columns.end());
   }
@@ -158,7 +235,7 @@ std::vector<WrittenArray> ChooseArrays(const WriteOptions& options)
     vtkAbstractArray* const array = data->GetAbstractArray(i);
     if (IsHeld(options, array))
     {
-      const std::string name = array->GetName();
+      const std::string name = array->GetName() ? array->GetName() : "";
       arrays.push_back({ vtkDataArray::SafeDownCast(array), vtkStringArray::SafeDownCast(array),
         name, ColumnsOf(kind, name, array->GetNumberOfComponents()) });
     }
@@ -169,6 +246,10 @@ std::vector<WrittenArray> ChooseArrays(const WriteOptions& options)
     if (array.Texts)
     {
       CheckTexts(kind, array);
+    }
+    else
+    {
+      CheckNumbers(array.Name, array.Numbers);
     }
   }
   CheckColumns(kind, arrays);

@@ -12,6 +12,10 @@ namespace spherepacking
 /// how others look, is written \xNN, and a tab is a blank. After `longest` characters it ends in
 /// three points.
 std::string PrintableText(std::string_view bytes, std::size_t longest = std::string_view::npos);
+
+/// An error's sentence the same way, without its middle if it is longer than 1000 bytes: the names
+/// of files, arrays and columns in it are whatever somebody has called them.
+std::string PrintableSentence(std::string_view sentence);
 }
 
 #endif

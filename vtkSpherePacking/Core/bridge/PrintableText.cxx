@@ -1,20 +1,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/PrintableText.h"
+#include "bridge/PrintableText.h"
 
 #include "vtk_utf8.h"
 
 #include <algorithm>
 #include <cstdint>
+#include <iterator>
 
 namespace spherepacking
 {
 namespace
 {
-// Controls, and what changes the order or the lines of the text around it.
+struct CharacterRange
+{
+  std::uint32_t First;
+  std::uint32_t Last;
+};
+
+// Controls, and what changes the order or the lines of the text around it, or has no shape:
+// printable.py has the same.
+constexpr CharacterRange Hidden[] = { { 0, 0x1f }, { 0x7f, 0x9f }, { 0xad, 0xad }, { 0x61c, 0x61c },
+  { 0x180e, 0x180e }, { 0x200b, 0x200f }, { 0x2028, 0x202e }, { 0x2060, 0x206f },
+  { 0xfeff, 0xfeff }, { 0xfff9, 0xfffb }, { 0xe0000, 0xe007f } };
+
 bool HasNoShape(std::uint32_t c)
 {
-  return c < 0x20 || (c >= 0x7f && c < 0xa0) || (c >= 0x200b && c <= 0x200f) ||
-    (c >= 0x2028 && c <= 0x202e) || (c >= 0x2060 && c <= 0x206f) || c == 0xfeff;
+  const auto holds = [c](CharacterRange range) { return c >= range.First && c <= range.Last; };
+  return std::any_of(std::begin(Hidden), std::end(Hidden), holds);
 }
 
 void Escape(std::string& text, const char* begin, const char* end)
@@ -76,5 +88,30 @@ std::string PrintableText(std::string_view bytes, std::size_t longest)
     }
   }
   return p == bytes.data() + bytes.size() ? text : text + "...";
+}
+
+//------------------------------------------------------------------------------
+std::string PrintableSentence(std::string_view sentence)
+{
+  constexpr std::size_t most = 1000;
+  constexpr std::size_t ends = 300;
+  std::string text = PrintableText(sentence);
+  if (text.size() <= most)
+  {
+    return text;
+  }
+  // Bytes that go on with a character begin with the bits 10.
+  const auto startAt = [&text](std::size_t at)
+  {
+    while (at < text.size() && (text[at] & 0xc0) == 0x80)
+    {
+      ++at;
+    }
+    return at;
+  };
+  const std::size_t first = startAt(ends);
+  const std::size_t last = startAt(text.size() - ends);
+  return text.substr(0, first) + " ... (" + std::to_string(last - first) + " more bytes) ... " +
+    text.substr(last);
 }
 }
