@@ -37,7 +37,10 @@ bool IsProse(const TextRange& line, const TableLayout& layout)
 {
   const Fields fields = layout.Between.Split(line.Begin);
   const auto isLetter = [](char c)
-  { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c < 0 || c == '"' || c == '/'; };
+  {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c < 0 || c == '"' || c == '/' ||
+      c == '[' || c == '(';
+  };
   bool number = !isLetter(*line.Begin);
   for (std::size_t i = 0; i < fields.size() && i < layout.Columns.size(); ++i)
   {

@@ -13,6 +13,7 @@
 #include "io/RemarksOnSize.h"
 #include "io/SizeComponents.h"
 #include "io/TableHead.h"
+#include "io/UnitsBesideNames.h"
 #include "io/UnitsOfRemark.h"
 #include "io/UnnamedIndex.h"
 #include "io/UsualForms.h"
@@ -91,6 +92,7 @@ public:
     {
       this->DetectPlain();
     }
+    this->CheckUnits();
     this->Layout.Expected = DescribeColumns(this->Layout.Columns);
     return this->Layout;
   }
@@ -107,6 +109,7 @@ private:
     if (!numbers || !this->TakeComments(fields.size()))
     {
       this->SkipHeader();
+      this->SkipUnits();
       const TextRange row = FindRow(this->Text);
       const std::size_t count = row.Begin ? this->Layout.Between.Split(row.Begin).size() : 0;
       if (!this->TakeIndexedHeader(count))
@@ -124,6 +127,7 @@ private:
     if (this->IsHeader(fields))
     {
       this->SkipHeader();
+      this->SkipUnits();
       this->TakePlainHeader();
       return;
     }
@@ -164,6 +168,34 @@ private:
     }
     this->Indent = row.Begin - line;
     this->Text = { SkipLineEnd(row.End, this->Text.End), this->Text.End, row.FirstLine + 1 };
+  }
+
+  // Skips a line of units under a header. No row can look so.
+  void SkipUnits()
+  {
+    const TextRange row = FindRow(this->Text);
+    if (row.Begin)
+    {
+      this->Units = this->Layout.Between.Split(row.Begin);
+      if (AreUnits(this->Units))
+      {
+        this->UnitsLine = row;
+        this->Text = { SkipLineEnd(row.End, this->Text.End), this->Text.End, row.FirstLine + 1 };
+      }
+    }
+  }
+
+  // Throws if units beside names are those of different lengths.
+  void CheckUnits() const
+  {
+    if (this->UnitsLine.Begin)
+    {
+      CheckUnitsOfColumns(this->UnitsLine, this->Units, this->Layout.Columns);
+    }
+    if (this->Layout.Named == Naming::All)
+    {
+      CheckUnitsOfRemarks(this->Head.Comments, this->Layout.Columns);
+    }
   }
 
   // Whether the first row names coordinates, by itself or over as many columns as the next row has.
@@ -486,6 +518,8 @@ private:
   TableHead Head;
   TextRange& Text;
   std::size_t Indent = 0; // of a header that is no comment
+  Fields Units;           // in the line under the header
+  TextRange UnitsLine{ nullptr, nullptr, 0 };
   TableLayout Layout;
 };
 }
