@@ -622,3 +622,11 @@ def test_arguments(dump, argument, error, message):
 
 def test_numpys_integers_are_steps(dump):
     assert spherepacking.read(dump, step=np.int64(2)).points[0, 0] == 2
+
+
+@pytest.mark.parametrize("text", ["[[1 2 3 4]\n [5 6 7 8]]\n", "[x, y, z, d]\n1 2 3\n", "{1,2}\n"])
+def test_other_brackets_are_no_json(tmp_path, text):
+    (tmp_path / "a.txt").write_text(text)
+    with pytest.raises(spherepacking.PackingFileError) as caught:
+        spherepacking.read(tmp_path / "a.txt")
+    assert "JSON" not in str(caught.value)
