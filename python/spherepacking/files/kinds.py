@@ -31,7 +31,7 @@ _ARCHIVES = {
     ".ods": ("a spreadsheet", "the sheet with the spheres, saved as CSV"),
 }
 # Objects, or lists in lists, perhaps in further lists.
-_JSON = re.compile(rb"[\s\[]*\{\s*\"|\s*\[\s*\[\s*[-\d]")
+_JSON = re.compile(rb"[\s\[]*\{\s*\"|\s*\[\s*\[\s*[-+.\deE]+\s*,")
 # What the first bytes say, whatever the name is.
 _BY_CONTENT = (
     (b"\x89HDF\r\n\x1a\n", "an HDF5 file", ".vtkhdf, or the spheres as text: x y z radius"),
