@@ -11,11 +11,7 @@ HERE = Path(__file__).parent
 CALLS = [
     *("read", "steps", "write", "pack", "pick", "ray_cast", "ray_cast_grid", "path_trace"),
     *("metaball_field", "strongest", "multilevel", "metaballs", "contacts"),
-    *("bvh_boxes", "grid_boxes"),
-    pytest.param(
-        "draw",
-        marks=pytest.mark.xfail(reason="vtkSpherePackingWindowCheck makes texts without a guard"),
-    ),
+    *("bvh_boxes", "grid_boxes", "draw"),
 ]
 
 

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <string_view>
 
 vtkStandardNewMacro(vtkSpherePackingWindowCheck);
 
@@ -19,9 +20,9 @@ namespace
 constexpr int MaxErrors = 16;
 
 // What OpenGL reports, as a phrase; takes it.
-std::string ErrorOf(vtkOpenGLRenderWindow* window)
+const char* ErrorOf(vtkOpenGLRenderWindow* window)
 {
-  std::string found;
+  const char* found = "";
   if (window && window->GetInitialized())
   {
     window->MakeCurrent();
@@ -35,6 +36,14 @@ std::string ErrorOf(vtkOpenGLRenderWindow* window)
     }
   }
   return found;
+}
+
+// Whether a text has a word, whose letters are small, in letters of any size.
+bool Holds(std::string_view text, std::string_view word)
+{
+  const auto same = [](char letter, char small)
+  { return std::tolower(static_cast<unsigned char>(letter)) == small; };
+  return std::search(text.begin(), text.end(), word.begin(), word.end(), same) != text.end();
 }
 
 bool IsComplete(vtkOpenGLRenderWindow* window, vtkOpenGLFramebufferObject* framebuffer)
@@ -82,7 +91,7 @@ void vtkSpherePackingWindowCheck::Begin(vtkRenderWindow* window)
 {
   this->StopListening();
   this->Window = window;
-  this->Logged.clear();
+  this->Logged = "";
   ErrorOf(vtkOpenGLRenderWindow::SafeDownCast(window));
   this->Log = vtkOutputWindow::GetInstance();
   this->Tag =
@@ -90,29 +99,24 @@ void vtkSpherePackingWindowCheck::Begin(vtkRenderWindow* window)
 }
 
 //------------------------------------------------------------------------------
-std::string vtkSpherePackingWindowCheck::End()
+const char* vtkSpherePackingWindowCheck::End()
 {
   this->StopListening();
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(this->Window);
-  const std::string error = ErrorOf(window);
+  const char* const error = ErrorOf(window);
   const bool complete = !window || !window->GetInitialized() ||
     (IsComplete(window, window->GetRenderFramebuffer()) &&
       IsComplete(window, window->GetDisplayFramebuffer()));
   this->Window = nullptr;
-  return !error.empty() ? error
-    : complete          ? this->Logged
-                        : "OpenGL has no framebuffer of that size";
+  return *error ? error : complete ? this->Logged : "OpenGL has no framebuffer of that size";
 }
 
 //------------------------------------------------------------------------------
 void vtkSpherePackingWindowCheck::Hear(vtkObject*, unsigned long, void* text)
 {
-  std::string lower = text ? static_cast<const char*>(text) : "";
-  std::transform(lower.begin(), lower.end(), lower.begin(),
-    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  const bool about =
-    lower.find("framebuffer") != lower.npos || lower.find("frame buffer") != lower.npos;
-  if (about && this->Logged.empty())
+  const std::string_view said = text ? static_cast<const char*>(text) : "";
+  const bool about = Holds(said, "framebuffer") || Holds(said, "frame buffer");
+  if (about && !*this->Logged)
   {
     this->Logged = "VTK has no framebuffer for a part of it";
   }

@@ -13,8 +13,6 @@
 #include "vtkSmartPointer.h"                 // for the window
 #include "vtkSpherePackingRenderingModule.h" // for the export macro
 
-#include <string> // for the return value
-
 class vtkOutputWindow;
 class vtkRenderWindow;
 
@@ -38,8 +36,9 @@ public:
   /**
    * What went wrong since Begin(), as a phrase; empty if the window could draw. Looks at OpenGL's
    * errors, whether the window's framebuffers are complete, and what VTK has logged about others.
+   * Makes no texts, since there may be no memory for any.
    */
-  std::string End();
+  const char* End();
 
 protected:
   vtkSpherePackingWindowCheck();
@@ -55,7 +54,7 @@ private:
   vtkSmartPointer<vtkRenderWindow> Window;
   vtkSmartPointer<vtkOutputWindow> Log;
   unsigned long Tag = 0;
-  std::string Logged;
+  const char* Logged = "";
 };
 
 #endif
