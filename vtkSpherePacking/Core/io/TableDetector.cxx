@@ -56,6 +56,7 @@ public:
   Detector(Format format, const ReadOptions& options, TextRange& text)
     : FormatIs(format)
     , RadiiAre(options.RadiusOptional ? Radii::Optional : Radii::Required)
+    , IsFourthRadius(options.IsFourthRadius)
     , Head(FindHead(text))
     , Text(text)
   {
@@ -120,7 +121,9 @@ private:
     {
       this->CheckProse();
       this->CheckPlainRemarks(fields.size());
-      this->Layout.Columns = NamelessColumns(this->FormatIs, this->Text, row, this->RadiiAre);
+      const bool fourth = this->IsFourthRadius && fields.size() > 3;
+      this->Layout.Columns =
+        NamelessColumns(this->FormatIs, this->Text, row, fourth ? Radii::Required : this->RadiiAre);
     }
     MarkTextColumns(this->Layout, row.Begin);
     this->Layout.Cell = this->Head.Cell;
@@ -512,6 +515,7 @@ private:
 
   Format FormatIs;
   Radii RadiiAre;
+  bool IsFourthRadius;
   TableHead Head;
   TextRange& Text;
   std::size_t Indent = 0; // of a header that is no comment
