@@ -49,8 +49,9 @@ class TestGivenRadii:
         packing = read_text("1.5 2.5 3.5 sand\n1 2 3 clay\n", "p.txt", optional=True)
         assert packing["column_4"].tolist() == ["sand", "clay"]
 
-    def test_the_extension_xyzr_names_the_radius(self, read_text):
-        packing = read_text("1.5 2.5 3.5 7\n1 2 3 8\n", "p.xyzr", optional=True)
+    @pytest.mark.parametrize("name", ["p.xyzr", "p.spheres"])
+    def test_the_extension_names_the_radius(self, read_text, name):
+        packing = read_text("5 2.5 3.5 7\n6 2 3 8\n", name, optional=True)
         assert packing["radius"].tolist() == [7, 8]
 
     @pytest.mark.parametrize(

@@ -46,6 +46,7 @@ struct ReadOptions
   vtkIdType ChunkSize = 0;     ///< bytes of text that a thread parses at a time, at least
   std::string Columns;         ///< names of the columns of a table, or empty to find them
   bool RadiusOptional = false; ///< whether a file without radii is read, without an array of them
+  bool IsFourthRadius = false; ///< whether a table's extension says so, where nothing else does
 };
 
 /// The format that the extension of a file stands for; Auto if that is none or several.

@@ -47,7 +47,12 @@ PackingArrays ReadTextTable(
 {
   progress.SetRange(0.0, 0.2);
   FileBytes bytes = FileBytes::Read(file, progress);
-  return WithFileName(
-    file, [&] { return ParseTextTable(std::move(bytes), format, options, progress); });
+  return WithFileName(file,
+    [&]
+    {
+      ReadOptions here = options;
+      here.IsFourthRadius = FormatOfExtension(file) == Format::Spheres;
+      return ParseTextTable(std::move(bytes), format, here, progress);
+    });
 }
 }

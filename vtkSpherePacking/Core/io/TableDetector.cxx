@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/TableDetector.h"
 
+#include "io/DecimalCommas.h"
 #include "io/DiameterWords.h"
 #include "io/FitComments.h"
 #include "io/GivenColumns.h"
@@ -35,27 +36,6 @@ std::string QuoteLine(const TextRange& line)
   return Quote(SkipBlanks(line.Begin, line.End), line.End);
 }
 
-// Whether a row has commas right between digits, as in 1,5 for one and a half, besides other
-// separators and no point. Taken for separators they would make two numbers of each.
-bool HasDecimalCommas(const TextRange& row)
-{
-  bool bareComma = false;
-  bool other = false;
-  for (const char* p = row.Begin; p != row.End && *p != '#'; ++p)
-  {
-    const auto digitAt = [&](const char* q)
-    { return q >= row.Begin && q != row.End && *q >= '0' && *q <= '9'; };
-    if (*p == '.')
-    {
-      return false;
-    }
-    bareComma |= *p == ',' && digitAt(p - 1) && digitAt(p + 1);
-    const bool beforeNumber = digitAt(p + 1) || (p + 1 != row.End && (p[1] == '-' || p[1] == '+'));
-    other |= *p == ';' || (IsBlank(*p) && beforeNumber);
-  }
-  return bareComma && other;
-}
-
 // The first of `delimiters` that stands in `line`, or 0.
 char FindDelimiter(const TextRange& line, std::string_view delimiters)
 {
@@ -76,6 +56,7 @@ public:
   Detector(Format format, const ReadOptions& options, TextRange& text)
     : FormatIs(format)
     , RadiiAre(options.RadiusOptional ? Radii::Optional : Radii::Required)
+    , IsFourthRadius(options.IsFourthRadius)
     , Head(FindHead(text))
     , Text(text)
   {
@@ -131,7 +112,7 @@ private:
       this->TakePlainHeader();
       return;
     }
-    if (HasDecimalCommas(row))
+    if (HasDecimalCommas(View(row)))
     {
       throw LineError(row.FirstLine,
         "found what looks like decimal commas in " + QuoteLine(row) + ", expected decimal points");
@@ -140,7 +121,9 @@ private:
     {
       this->CheckProse();
       this->CheckPlainRemarks(fields.size());
-      this->Layout.Columns = NamelessColumns(this->FormatIs, this->Text, row, this->RadiiAre);
+      const bool fourth = this->IsFourthRadius && fields.size() > 3;
+      this->Layout.Columns =
+        NamelessColumns(this->FormatIs, this->Text, row, fourth ? Radii::Required : this->RadiiAre);
     }
     MarkTextColumns(this->Layout, row.Begin);
     this->Layout.Cell = this->Head.Cell;
@@ -237,7 +220,9 @@ private:
     {
       throw LineError(line.FirstLine,
         "found the columns " + Quote(line.Begin, line.End) +
-          ", expected a header that names x, y, z and one of r, radius, d, diameter");
+          ", expected a header that names x, y, z and one of r, radius, d, diameter, # before "
+          "titles above it, or " +
+          HintFor(names.size()));
     }
     if (!complaint.empty())
     {
@@ -494,6 +479,21 @@ private:
     }
   }
 
+  // C 1.5 2.5 3.5 may be an element and a place.
+  std::string HintForText(const Fields& fields) const
+  {
+    const bool numbers = fields.size() > 3 && fields.size() < 6 &&
+      std::all_of(fields.begin() + 1, fields.end(), IsNumber);
+    if (!numbers)
+    {
+      return ColumnsHint;
+    }
+    const bool radii = fields.size() == 5;
+    return std::string("columns=\"element x y z") + (radii ? " r" : "") + "\" (--columns)" +
+      (radii || this->RadiiAre == Radii::Optional ? "" : " and radius= (--radius)") +
+      " if the first is an element or the like";
+  }
+
   // Throws if the first row is a sentence.
   void CheckProse() const
   {
@@ -509,12 +509,13 @@ private:
         "found " + QuoteLine(row) +
           ", which is neither a row of numbers nor a header, expected lines of x y z radius, and # "
           "before remarks; or a header of names, or " +
-          ColumnsHint);
+          this->HintForText(fields));
     }
   }
 
   Format FormatIs;
   Radii RadiiAre;
+  bool IsFourthRadius;
   TableHead Head;
   TextRange& Text;
   std::size_t Indent = 0; // of a header that is no comment

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/TextTable.h"
 
+#include "io/DecimalCommas.h"
 #include "io/PackingFileError.h"
 #include "io/RowParser.h"
 
@@ -44,13 +45,42 @@ void ParseChunk(const TextChunk& chunk, const Parser& parser, BadRow& bad)
   }
 }
 
+const char* LineEndOf(const char* p)
+{
+  while (!IsLineEnd(*p))
+  {
+    ++p;
+  }
+  return p;
+}
+
+// Throws if no field of a row is a number, as in titles, units and the empty rows of spreadsheets.
+void CheckSomeNumber(vtkIdType line, const TableLayout& layout, const char* begin)
+{
+  const std::vector<std::string_view> fields = layout.Between.Split(begin);
+  const auto isEmpty = [](std::string_view field) { return field.empty(); };
+  if (fields.size() > 1 && std::none_of(fields.begin(), fields.end(), IsNumber))
+  {
+    const bool empty = std::all_of(fields.begin(), fields.end(), isEmpty);
+    const char* const end = LineEndOf(begin);
+    throw LineError(line,
+      "found " + Quote(SkipBlanks(begin, end), end) +
+        (empty ? ", a row of empty fields, expected "
+               : ", in which no field is a number, expected ") +
+        layout.Expected + (empty ? "; delete the row" : "; or # before what is no row"));
+  }
+}
+
 [[noreturn]] void ThrowColumnCount(vtkIdType line, const TableLayout& layout, const char* begin)
 {
   const std::size_t found = layout.Between.Split(begin).size();
-  const char* end = begin;
-  while (!IsLineEnd(*end))
+  const char* const end = LineEndOf(begin);
+  const std::string_view row(begin, end - begin);
+  if (found > layout.Columns.size() && HasDecimalCommas(row))
   {
-    ++end;
+    throw LineError(line,
+      "found what looks like decimal commas in " + Quote(SkipBlanks(begin, end), end) +
+        ", expected decimal points");
   }
   throw LineError(line,
     "found " + std::to_string(found) + (found == 1 ? " column " : " columns ") +
@@ -65,6 +95,10 @@ void ParseChunk(const TextChunk& chunk, const Parser& parser, BadRow& bad)
   {
     ThrowColumnCount(line, layout, bad.Line);
   }
+  if (fault.What == RowFault::NotANumber)
+  {
+    CheckSomeNumber(line, layout, bad.Line);
+  }
   const Column& column = layout.Columns[fault.Column];
   // A radius is called so even if the column is called r.
   const std::string name = column.Role == ColumnRole::Radius ? "radius"
@@ -75,9 +109,14 @@ void ParseChunk(const TextChunk& chunk, const Parser& parser, BadRow& bad)
   const char* expected = fault.What == RowFault::NotANumber ? "a number"
     : fault.What == RowFault::NotFinite                     ? "a finite number"
                                                             : "a number that is not negative";
+  const char* const fieldEnd = fault.At ? layout.Between.FieldEnd(fault.At) : nullptr;
+  const bool comma = fault.What == RowFault::NotANumber && fault.At &&
+    IsDecimalComma(
+      layout.Between.Unquote({ fault.At, static_cast<std::size_t>(fieldEnd - fault.At) }));
   throw LineError(line,
     "found " + field + " as " + name + " in column " + std::to_string(fault.Column + 1) +
-      ", expected " + expected);
+      (comma ? ", which looks like a decimal comma, expected a number with a point"
+             : std::string(", expected ") + expected));
 }
 
 template <typename Real, bool Scaled>
