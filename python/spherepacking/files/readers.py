@@ -66,6 +66,7 @@ class SpherePackingReader(pv.BaseReader, pv.TimeReader):  # type: ignore[type-ar
     def _set_defaults(self) -> None:
         self._index = 0
         self._times: _Times | None = None
+        self._found_at = -1
 
     def _set_directory(self, directory: str) -> None:
         raise IsADirectoryError(f"{directory}: found a directory, expected a file with a packing")
@@ -120,8 +121,12 @@ class SpherePackingReader(pv.BaseReader, pv.TimeReader):  # type: ignore[type-ar
         # What is wrong with the file is raised when it is read. VTK forgets a request to stop when
         # it reads, and not when it looks for steps.
         self.reader.SetAbortExecute(0)
-        with ErrorLog(self.reader), progress_bar(self.reader, "", None):
-            self.reader.UpdateInformation()
+        # Upstream: VTK 9.7's Python layer remembers every observer that there ever was, and each
+        # further one takes longer. So there are none where nothing is to be done.
+        if self._found_at != self.reader.GetMTime():
+            with ErrorLog(self.reader), progress_bar(self.reader, "", None):
+                self.reader.UpdateInformation()
+            self._found_at = self.reader.GetMTime()
         count: int = self.reader.GetStepTimes().GetNumberOfTuples()
         return count
 
