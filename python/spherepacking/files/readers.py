@@ -67,6 +67,7 @@ class SpherePackingReader(pv.BaseReader, pv.TimeReader):  # type: ignore[type-ar
     def _set_defaults(self) -> None:
         self._index = 0
         self._times: _Times | None = None
+        self._found_at = -1
 
     def _set_directory(self, directory: str) -> None:
         raise IsADirectoryError(
@@ -121,8 +122,12 @@ class SpherePackingReader(pv.BaseReader, pv.TimeReader):  # type: ignore[type-ar
     def _find_steps(self) -> int:
         """Find the steps, and return how many there are."""
         # What is wrong with the file is raised when it is read.
-        with ErrorLog(self.reader):
-            self.reader.UpdateInformation()
+        # Upstream: VTK 9.7's Python layer remembers every observer that there ever was, and each
+        # further one takes longer. So there are none where nothing is to be done.
+        if self._found_at != self.reader.GetMTime():
+            with ErrorLog(self.reader):
+                self.reader.UpdateInformation()
+            self._found_at = self.reader.GetMTime()
         count: int = self.reader.GetStepTimes().GetNumberOfTuples()
         return count
 
