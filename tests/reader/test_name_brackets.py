@@ -124,3 +124,19 @@ def test_two_units_of_few_letters(refused):
 def test_brackets_behind_other_columns(read_text):
     text = "x,y,z,r,mass (log10),slope (%)\n1.5,2.5,3.5,0.5,3,4\n"
     assert spheres(read_text(text, "p.csv")) == BY_PLACE[:1]
+
+
+@pytest.mark.parametrize("name", ["promień", "raio", "straal", "yarıçap", "반지름"])
+def test_radii_in_other_languages(read_text, name):
+    assert spheres(read_text(as_csv(["x", "y", "z", name]), "p.csv")) == BY_PLACE
+
+
+@pytest.mark.parametrize("name", ["średnica", "çap", "지름", "diamètre", "diámetro"])
+def test_diameters_in_other_languages(read_text, name):
+    assert spheres(read_text(as_csv(["x", "y", "z", name]), "p.csv")) == HALVED
+
+
+@pytest.mark.parametrize("name", ["diamètre", "diámetro"])
+def test_diameters_in_latin_1(read_text, name):
+    text = as_csv(["x", "y", "z", name]).encode("latin-1")
+    assert spheres(read_text(text, "p.csv")) == HALVED

@@ -144,12 +144,85 @@ void FindSize(const std::string& plain, NameMeaning& meaning)
   static const std::array<Size, 2> sizes{
     { { NameMeaning::Radius,
         { "radius", "radii", "halbmesser", "rayon", "raggio", "radio",
+          "p"
+          "r"
+          "o"
+          "m"
+          "i"
+          "e"
+          "\xC5"
+          "\x84",
+          "r"
+          "a"
+          "i"
+          "o",
+          "s"
+          "t"
+          "r"
+          "a"
+          "a"
+          "l",
+          "y"
+          "a"
+          "r"
+          "\xC4"
+          "\xB1"
+          "\xC3"
+          "\xA7"
+          "a"
+          "p",
+          "\xEB"
+          "\xB0"
+          "\x98"
+          "\xEC"
+          "\xA7"
+          "\x80"
+          "\xEB"
+          "\xA6"
+          "\x84", // Polish to Korean
+
           "\xD1\x80\xD0\xB0\xD0\xB4\xD0\xB8\xD1\x83\xD1\x81", // Russian
           "\xD0\xA0\xD0\xB0\xD0\xB4\xD0\xB8\xD1\x83\xD1\x81",
           "\xE5\x8D\x8A\xE5\xBE\x84" }, // Chinese
         { "r", "rad" }, { "rp", "r_p", "reff", "r_eff", "r_eq" } },
       { NameMeaning::Diameter,
         { "diameter", "diameters", "durchmesser", "diametro", "diametre",
+          "\xC5"
+          "\x9B"
+          "r"
+          "e"
+          "d"
+          "n"
+          "i"
+          "c"
+          "a",
+          "\xC3"
+          "\xA7"
+          "a"
+          "p",
+          "\xEC"
+          "\xA7"
+          "\x80"
+          "\xEB"
+          "\xA6"
+          "\x84",
+          "d"
+          "i"
+          "a"
+          "m"
+          "\xE8"
+          "t"
+          "r"
+          "e",
+          "d"
+          "i"
+          "\xE1"
+          "m"
+          "e"
+          "t"
+          "r"
+          "o", // ... and Latin-1
+
           "diam\xC3\xA8"
           "tre",
           "di\xC3\xA1metro",
