@@ -11,11 +11,15 @@ from typing import Literal
 # Whole words, in lower case.
 _DIAMETERS = {
     *("diameter", "diameters", "diam", "dia", "durchmesser", "diametro", "diámetro", "diametre"),
-    *("diamètre", "diametres", "diamètres", "диаметр", "直径", "ø", "2r"),
+    *("diamètre", "diametres", "diamètres", "диаметр", "直径", "średnica", "çap", "지름"),
+    *("ø", "2r"),
 }
 # Words may be written together, as in eqdiameter and Kugeldurchmesser.
 _LAST_PARTS = ("diameter", "diameters", "durchmesser")
-_RADII = {"radius", "radii", "radien", "halbmesser", "rayon", "raggio", "radio", "радиус", "半径"}
+_RADII = {
+    *("radius", "radii", "radien", "halbmesser", "rayon", "raggio", "radio", "радиус", "半径"),
+    *("promień", "raio", "straal", "yarıçap", "반지름"),
+}
 # With one of these, d is an equivalent diameter.
 _EQUIVALENT = {"eq", "equiv", "equivalent"}
 # What is made of a diameter with these is another number, mostly.

@@ -141,96 +141,16 @@ void FindSize(const std::string& plain, NameMeaning& meaning)
     Words Short;
     Words OfParts; // of a particle, effective, equivalent
   };
-  static const std::array<Size, 2> sizes{
-    { { NameMeaning::Radius,
-        { "radius", "radii", "halbmesser", "rayon", "raggio", "radio",
-          "p"
-          "r"
-          "o"
-          "m"
-          "i"
-          "e"
-          "\xC5"
-          "\x84",
-          "r"
-          "a"
-          "i"
-          "o",
-          "s"
-          "t"
-          "r"
-          "a"
-          "a"
-          "l",
-          "y"
-          "a"
-          "r"
-          "\xC4"
-          "\xB1"
-          "\xC3"
-          "\xA7"
-          "a"
-          "p",
-          "\xEB"
-          "\xB0"
-          "\x98"
-          "\xEC"
-          "\xA7"
-          "\x80"
-          "\xEB"
-          "\xA6"
-          "\x84", // Polish to Korean
-
-          "\xD1\x80\xD0\xB0\xD0\xB4\xD0\xB8\xD1\x83\xD1\x81", // Russian
-          "\xD0\xA0\xD0\xB0\xD0\xB4\xD0\xB8\xD1\x83\xD1\x81",
-          "\xE5\x8D\x8A\xE5\xBE\x84" }, // Chinese
-        { "r", "rad" }, { "rp", "r_p", "reff", "r_eff", "r_eq" } },
-      { NameMeaning::Diameter,
-        { "diameter", "diameters", "durchmesser", "diametro", "diametre",
-          "\xC5"
-          "\x9B"
-          "r"
-          "e"
-          "d"
-          "n"
-          "i"
-          "c"
-          "a",
-          "\xC3"
-          "\xA7"
-          "a"
-          "p",
-          "\xEC"
-          "\xA7"
-          "\x80"
-          "\xEB"
-          "\xA6"
-          "\x84",
-          "d"
-          "i"
-          "a"
-          "m"
-          "\xE8"
-          "t"
-          "r"
-          "e",
-          "d"
-          "i"
-          "\xE1"
-          "m"
-          "e"
-          "t"
-          "r"
-          "o", // ... and Latin-1
-
-          "diam\xC3\xA8"
-          "tre",
-          "di\xC3\xA1metro",
-          "\xD0\xB4\xD0\xB8\xD0\xB0\xD0\xBC\xD0\xB5\xD1\x82\xD1\x80", // Russian
-          "\xD0\x94\xD0\xB8\xD0\xB0\xD0\xBC\xD0\xB5\xD1\x82\xD1\x80",
-          "\xE7\x9B\xB4\xE5\xBE\x84" }, // Chinese
-        { "d", "diam" }, { "dp", "d_p", "deff", "d_eff", "d_eq" } } }
-  };
+  static const Words radii{ "radius", "radii", "halbmesser", "rayon", "raggio", "radio", "promień",
+    "raio", "straal", "yarıçap", "반지름", "радиус", "Радиус", "半径" };
+  // The last two in Latin-1, which spreadsheets save.
+  static const Words diameters{ "diameter", "diameters", "durchmesser", "diametro", "diametre",
+    "diamètre", "diámetro", "średnica", "çap", "지름", "диаметр", "Диаметр", "直径", "diam\350tre",
+    "di\341metro" };
+  static const std::array<Size, 2> sizes{ {
+    { NameMeaning::Radius, radii, { "r", "rad" }, { "rp", "r_p", "reff", "r_eff", "r_eq" } },
+    { NameMeaning::Diameter, diameters, { "d", "diam" }, { "dp", "d_p", "deff", "d_eff", "d_eq" } },
+  } };
   const std::string_view view = plain;
   const std::size_t cut = view.rfind('_');
   const std::string_view word = cut == view.npos ? view : view.substr(cut + 1);
@@ -256,12 +176,11 @@ std::string LengthUnit(std::string_view word)
 {
   static const std::map<std::string, std::string> units{ { "m", "m" }, { "meter", "m" },
     { "metre", "m" }, { "meters", "m" }, { "metres", "m" }, { "dm", "dm" }, { "cm", "cm" },
-    { "mm", "mm" }, { "um", "um" }, { "\xC2\xB5m", "um" }, { "\xCE\xBCm", "um" },
-    { "micron", "um" }, { "microns", "um" }, { "nm", "nm" }, { "pm", "pm" }, { "km", "km" },
-    { "\xC3\xA5", "A" }, { "\xC3\x85", "A" }, { "\xE2\x84\xAB", "A" }, { "angstrom", "A" },
-    { "angstroms", "A" }, { "inch", "inch" }, { "inches", "inch" }, { "ft", "ft" }, { "px", "px" },
-    { "pixel", "px" }, { "pixels", "px" }, { "vox", "voxel" }, { "voxel", "voxel" },
-    { "voxels", "voxel" } };
+    { "mm", "mm" }, { "um", "um" }, { "µm", "um" }, { "μm", "um" }, { "micron", "um" },
+    { "microns", "um" }, { "nm", "nm" }, { "pm", "pm" }, { "km", "km" }, { "å", "A" }, { "Å", "A" },
+    { "Å", "A" }, { "angstrom", "A" }, { "angstroms", "A" }, { "inch", "inch" },
+    { "inches", "inch" }, { "ft", "ft" }, { "px", "px" }, { "pixel", "px" }, { "pixels", "px" },
+    { "vox", "voxel" }, { "voxel", "voxel" }, { "voxels", "voxel" } };
   std::string lower(word);
   std::transform(lower.begin(), lower.end(), lower.begin(), Lower);
   const auto found = units.find(lower);
@@ -286,7 +205,7 @@ std::string UnitInBracket(std::string_view text)
 {
   // Too short, or too much like other words, to be units elsewhere.
   static const std::map<std::string_view, std::string_view> others{ { "A", "A" }, { "Ang", "A" },
-    { "ang", "A" }, { "in", "inch" }, { "\xC2\xB5", "um" }, { "\xCE\xBC", "um" }, { "mum", "um" },
+    { "ang", "A" }, { "in", "inch" }, { "µ", "um" }, { "μ", "um" }, { "mum", "um" },
     { "bohr", "bohr" }, { "pc", "pc" }, { "kpc", "kpc" }, { "Mpc", "Mpc" } };
   text = TrimBlanks(text);
   text = text.substr(0, 3) == "in " ? TrimBlanks(text.substr(3)) : text;
@@ -321,10 +240,10 @@ NameMeaning MeaningOfName(std::string_view name)
 {
   static const std::map<std::string, NameMeaning::Kind> others{ { "g", NameMeaning::Green },
     { "green", NameMeaning::Green }, { "b", NameMeaning::Blue }, { "blue", NameMeaning::Blue },
-    { "theta", NameMeaning::PolarAngle }, { "\xCE\xB8", NameMeaning::PolarAngle },
+    { "theta", NameMeaning::PolarAngle }, { "θ", NameMeaning::PolarAngle },
     { "polar", NameMeaning::PolarAngle }, { "inclination", NameMeaning::PolarAngle },
     { "elevation", NameMeaning::PolarAngle }, { "phi", NameMeaning::Azimuth },
-    { "\xCF\x86", NameMeaning::Azimuth }, { "\xCF\x95", NameMeaning::Azimuth },
+    { "φ", NameMeaning::Azimuth }, { "ϕ", NameMeaning::Azimuth },
     { "azimuth", NameMeaning::Azimuth } };
   if (name.find(NoBreakSpace) != name.npos)
   {
