@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <new>
 #include <string_view>
 
 vtkStandardNewMacro(vtkSpherePackingWindowCheck);
@@ -93,9 +94,16 @@ void vtkSpherePackingWindowCheck::Begin(vtkRenderWindow* window)
   this->Window = window;
   this->Logged = "";
   ErrorOf(vtkOpenGLRenderWindow::SafeDownCast(window));
-  this->Log = vtkOutputWindow::GetInstance();
-  this->Tag =
-    this->Log->AddObserver(vtkCommand::ErrorEvent, this, &vtkSpherePackingWindowCheck::Hear);
+  vtkOutputWindow* log = vtkOutputWindow::GetInstance();
+  try
+  {
+    this->Tag = log->AddObserver(vtkCommand::ErrorEvent, this, &vtkSpherePackingWindowCheck::Hear);
+    this->Log = log;
+  }
+  catch (const std::bad_alloc&)
+  {
+    this->Logged = "there is too little memory to watch it";
+  }
 }
 
 //------------------------------------------------------------------------------
