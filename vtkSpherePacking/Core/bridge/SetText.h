@@ -7,9 +7,9 @@
 
 namespace spherepacking
 {
-/// Makes `text` a copy of `value`, or null for null; returns whether that changes it. In contrast to
-/// vtkSetStringMacro it lets no std::bad_alloc leave the setter: `lost` says whether there was no
-/// memory for the copy, and whoever needs the text is to say so.
+/// Makes `text` a copy of `value`, or null for null; returns whether that changes it. In contrast
+/// to vtkSetStringMacro it lets no std::bad_alloc leave the setter: `lost` says whether there was
+/// no memory for the copy, and whoever needs the text is to say so.
 inline bool SetText(char*& text, const char* value, bool& lost)
 {
   if (!lost && (text && value ? std::strcmp(text, value) == 0 : text == value))

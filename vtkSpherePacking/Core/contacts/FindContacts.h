@@ -41,7 +41,7 @@ struct ContactWork
 {
   ParallelFor For;
   ParallelFor Search; ///< looks for contacts, which takes longest
-  double Most;         ///< contacts, above which a std::invalid_argument is thrown
+  double Most;        ///< contacts, above which a std::invalid_argument is thrown
 };
 
 /**
