@@ -184,6 +184,6 @@ def test_any_arguments(call):
         except (TypeError, ValueError, KeyError) as error:
             check_message(error, arguments)
         except OSError as error:
-            # A text may be the file of a sky.
+            assert name == "path_trace"  # where a text may be the file of a sky
             check_message(ValueError(f"sky: {error}"), arguments)
     assert packing == before

@@ -28,7 +28,10 @@ COMPRESSORS = {
 
 def array(data, word, order, compressor, block=32, last=None, sizes=None):
     """Head and body of an array in a file in XML, as VTK's documentation describes them."""
-    pack = lambda *numbers: struct.pack(f"{order}{len(numbers)}{word}", *numbers)  # noqa: E731
+
+    def pack(*numbers):
+        return struct.pack(f"{order}{len(numbers)}{word}", *numbers)
+
     if compressor is None:
         return pack(len(data) if last is None else last), data
     parts = [data[i : i + block] for i in range(0, len(data), block)]

@@ -157,11 +157,12 @@ def _columns_of(columns: str | Sequence[str] | None) -> str | None:
     names = list(columns) if isinstance(columns, Iterable) else None
     if names is None or not all(isinstance(name, str) for name in names):
         raise TypeError(
-            f"columns: found {columns!r}, expected names separated by blanks or a list of names"
+            f"columns: found {shown(columns)}, "
+            "expected names separated by blanks or a list of names"
         )
     wrong = [name for name in names if len(name.split()) != 1]
     if wrong or not names:
-        found = repr(wrong[0]) if wrong else "no name"
+        found = shown(wrong[0]) if wrong else "no name"
         raise ValueError(f"columns: found {found}, expected names without blanks")
     return " ".join(names)
 
@@ -255,7 +256,7 @@ class PackingSteps(Sequence[pv.PolyData]):
 
     def _at_time(self, time: float) -> int:
         if not isinstance(time, Real) or isinstance(time, bool) or math.isnan(time):
-            raise TypeError(f"time: found {time!r}, expected a number")
+            raise TypeError(f"time: found {shown(time)}, expected a number")
         times = self.times
         known = [t for t in times if not math.isnan(t)]
         # Times in texts are rounded.
